@@ -1,0 +1,117 @@
+"""A finished comparison: what it was made of, what it found, how long it took."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.grid import Grid
+from surfcmp_core.measures.measures import Measures
+from surfcmp_core.surface import Surface
+from surfcmp_core.triangulation import Triangulation
+from surfcmp_core.united import United
+
+Domain = Literal["data", "hull", "plane"]
+Duplicates = Literal["refuse", "mean", "max", "min"]
+Weight = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]]
+"""µ(x, y), sampled at the nodes of T and linear on each of its triangles."""
+
+
+class Reason(IntEnum):
+    """Why a triangle of T is compared or not."""
+
+    COMPARED = 0
+    OUTSIDE_1 = 1
+    """Outside surface 1."""
+    OUTSIDE_2 = 2
+    """Outside surface 2."""
+    HOLE = 3
+    """Inside both hulls, but one surface has a hole there."""
+    DEGENERATE = 4
+    """Its area rounds to nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """Everything that changes the numbers; lengths in the input's unit."""
+
+    domain: Domain = "data"
+    max_edge: float | None = None
+    """Longest edge over which a cloud has data; None: derived from its spacing; inf: no limit."""
+    exact: bool = False
+    tolerances: tuple[float, ...] = (0.5, 1.0, 2.0)
+    duplicates: Duplicates = "refuse"
+    threads: int = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Comparison:
+    """Two surfaces compared over their united triangulation.
+
+    N nodes and M triangles of T. Values without data are NaN.
+    """
+
+    surfaces: tuple[Surface, Surface]
+    grids: tuple[Grid, Grid]
+    triangulations: tuple[Triangulation, Triangulation]
+    united: United
+    z1: NDArray[np.float64]
+    """(N,) F̂1 at the nodes of T."""
+    z2: NDArray[np.float64]
+    """(N,) F̂2 at the nodes of T."""
+    weight: NDArray[np.float64] | None
+    """(N,) µ at the nodes of T; None for µ = 1."""
+    reason: NDArray[np.uint8]
+    """(M,) a `Reason` for each triangle."""
+    area: NDArray[np.float64]
+    """(M,) area in the plane; NaN where not compared."""
+    mean_abs: NDArray[np.float64]
+    """(M,) mean of |d| over the triangle; NaN where not compared."""
+    mean_signed: NDArray[np.float64]
+    """(M,) mean of d over the triangle; NaN where not compared."""
+    measures: Measures
+    options: Options
+    transform: NDArray[np.float64]
+    """(4, 4) the motion from the files' coordinates to the comparison's (z along the view)."""
+    max_edges: tuple[float, float]
+    """The `max_edge` used for each surface; inf for meshes and where there is no limit."""
+    seconds: dict[str, float] = field(default_factory=dict)
+    """Wall time of read, triangulate, spanning_trees, locate, interpolate, interface, measures,
+    total."""
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def compared(self) -> NDArray[np.bool_]:
+        """(M,) bool: counted in the measures."""
+        return np.asarray(self.reason == Reason.COMPARED)
+
+    @property
+    def chains(self) -> list[NDArray[np.int64]]:
+        """Triangle numbers of each chain, in the order of the chain."""
+        chain = self.united.chain
+        inside = np.flatnonzero(chain >= 0)
+        cuts = np.flatnonzero(np.diff(chain[inside])) + 1
+        return np.split(inside, cuts) if inside.size else []
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Nodes, triangles and chains, under the names of the .json result."""
+        united = self.united
+        closed = int(united.chain_closed.sum())
+        return {
+            "nodes_1": len(self.grids[0].nodes),
+            "nodes_2": len(self.grids[1].nodes),
+            "nodes_shared": int((united.label == 3).sum()),
+            "triangles_1": self.triangulations[0].real,
+            "triangles_2": self.triangulations[1].real,
+            "triangles_united": len(united.triangles),
+            "triangles_interface": int((united.chain >= 0).sum()),
+            "triangles_representative": int(united.representative.sum()),
+            "triangles_compared": int(self.compared.sum()),
+            "chains": len(united.chain_closed),
+            "chains_closed": closed,
+            "chains_open": len(united.chain_closed) - closed,
+        }

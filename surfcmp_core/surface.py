@@ -1,0 +1,43 @@
+"""A surface as it was read: nodes in space, its own triangles, and where it came from."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """A cloud or a mesh, as read.
+
+    Attributes
+    ----------
+    points : (n, 3) float64
+        x, y, z of each node, in `unit`. All finite.
+    faces : (m, 3) int32 or None
+        The model's own triangles, as node numbers; None for a cloud.
+    name : str
+        How messages call it: the file's name, or "surface 1".
+    path : Path or None
+        The file it was read from.
+    sha256 : str
+        Of the file's bytes, lower-case hexadecimal; empty for arrays.
+    unit : str or None
+        Length unit of the coordinates as the file states it; None where it does not say.
+    dropped : dict of str to int
+        Nodes left out so far, counted by reason.
+    """
+
+    points: NDArray[np.float64]
+    faces: NDArray[np.int32] | None = None
+    name: str = "surface"
+    path: Path | None = None
+    sha256: str = ""
+    unit: str | None = None
+    dropped: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def kind(self) -> str:
+        """``"mesh"`` or ``"cloud"``."""
+        return "cloud" if self.faces is None else "mesh"
