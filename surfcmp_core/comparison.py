@@ -8,14 +8,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.grid import Grid
+from surfcmp_core.grid import Duplicates, Grid
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.united import United
 
 Domain = Literal["data", "hull", "plane"]
-Duplicates = Literal["refuse", "mean", "max", "min"]
 Weight = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]]
 """µ(x, y), sampled at the nodes of T and linear on each of its triangles."""
 

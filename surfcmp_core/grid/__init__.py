@@ -1,5 +1,6 @@
 """Grids: distinct nodes in the plane with one value each."""
 
-from surfcmp_core.grid.grid import Grid, grid_of
+from surfcmp_core.grid.grid import Duplicates, Grid, box_of, grid_of
+from surfcmp_core.grid.scaling import safe_scale
 
-__all__ = ["Grid", "grid_of"]
+__all__ = ["Duplicates", "Grid", "box_of", "grid_of", "safe_scale"]

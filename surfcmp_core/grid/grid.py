@@ -1,9 +1,17 @@
 """From a surface to its grid: distinct nodes in the order of a space-filling curve."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+from surfcmp_core.errors import InputError
+from surfcmp_core.grid.curve import curve_keys
+from surfcmp_core.surface import Surface
+
+Duplicates = Literal["refuse", "mean", "max", "min"]
+"""What to do with nodes of equal (x, y) and different z."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -13,16 +21,16 @@ class Grid:
     Attributes
     ----------
     nodes : (n, 2) float64
-        x, y, bit for bit the input's; no two rows equal; along a Hilbert curve.
+        x, y, bit for bit the input's (but -0.0 becomes 0.0); no two rows equal; along a Hilbert
+        curve.
     z : (n,) float64
         The surface's value F at each node.
     source : (n,) int64
         Row of the surface's `points` each node came from (the first of merged ones).
     faces : (m, 3) int32 or None
-        The model's own triangles in node numbers, counter-clockwise in the plane, without
-        those that merging or projection made flat; None for a cloud.
+        The model's own triangles in node numbers, as the file turns them; None for a cloud.
     merged : int
-        Nodes of the surface merged into an equal one.
+        Nodes of the surface merged into another one of equal (x, y).
     name : str
         How messages call the surface.
     """
@@ -33,3 +41,101 @@ class Grid:
     faces: NDArray[np.int32] | None
     merged: int
     name: str
+
+
+def _groups(
+    nodes: NDArray[np.float64], keys: NDArray[np.uint64], order: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Find where runs of equal nodes start in `order`, once that is lexicographic within a key."""
+    sorted_keys = keys[order]
+    tie = np.zeros(len(order), bool)
+    same_key = sorted_keys[1:] == sorted_keys[:-1]
+    tie[1:] |= same_key
+    tie[:-1] |= same_key
+    if tie.any():
+        rows = np.flatnonzero(tie)
+        members = order[rows]
+        order[rows] = members[
+            np.lexsort((members, nodes[members, 1], nodes[members, 0], keys[members]))
+        ]
+    placed = nodes[order]
+    differs = (placed[1:] != placed[:-1]).any(axis=1)
+    return np.concatenate(([0], np.flatnonzero(differs) + 1))
+
+
+def _merged_values(
+    z: NDArray[np.float64], starts: NDArray[np.int64], duplicates: Duplicates, name: str
+) -> NDArray[np.float64]:
+    highest = np.maximum.reduceat(z, starts)
+    lowest = np.minimum.reduceat(z, starts)
+    torn = int(np.count_nonzero(highest != lowest))
+    if torn and duplicates == "refuse":
+        raise InputError(
+            f"{name}: not one-valued: {torn} places (x, y) have nodes of different z "
+            "(choose what to do with --duplicates mean, max or min)"
+        )
+    if duplicates == "max":
+        return highest
+    if duplicates == "min" or not torn:
+        return lowest
+    counts = np.diff(np.append(starts, len(z)))
+    mean = np.add.reduceat(z, starts) / counts
+    return np.where(highest == lowest, lowest, mean)
+
+
+def grid_of(
+    surface: Surface,
+    *,
+    duplicates: Duplicates = "refuse",
+    box: tuple[float, float, float, float] | None = None,
+) -> Grid:
+    """Make the grid of a surface.
+
+    Parameters
+    ----------
+    surface : Surface
+        z = F(x, y); finite.
+    duplicates : {"refuse", "mean", "max", "min"}
+        Value of a place (x, y) that has nodes of different z. Nodes of equal z are merged always.
+    box : tuple of float, optional
+        Box of the curve, smallest x, y, largest x, y; both grids of a comparison share one, so that
+        they run through memory side by side.
+
+    Returns
+    -------
+    Grid
+
+    Raises
+    ------
+    InputError
+        Fewer than three distinct nodes; different values at one place under "refuse".
+    """
+    nodes = np.ascontiguousarray(surface.points[:, :2]) + 0.0
+    z = surface.points[:, 2]
+    if len(nodes) < 3:
+        raise InputError(f"{surface.name}: {len(nodes)} nodes; at least 3 are needed")
+    if box is None:
+        box = box_of(surface)
+    keys = curve_keys(nodes, box)
+    order = np.argsort(keys, kind="stable")
+    starts = _groups(nodes, keys, order)
+    source = order[starts]
+    if len(starts) < 3:
+        raise InputError(f"{surface.name}: {len(starts)} distinct nodes; at least 3 are needed")
+    merged = len(nodes) - len(starts)
+    values = _merged_values(z[order], starts, duplicates, surface.name) if merged else z[order]
+    faces = None
+    if surface.faces is not None:
+        number = np.empty(len(nodes), np.int32)
+        number[order] = np.repeat(
+            np.arange(len(starts), dtype=np.int32), np.diff(np.append(starts, len(nodes)))
+        )
+        faces = number[surface.faces]
+    return Grid(nodes[source], values, source, faces, merged, surface.name)
+
+
+def box_of(*surfaces: Surface) -> tuple[float, float, float, float]:
+    """Smallest x and y, largest x and y of all nodes."""
+    low = np.min([s.points[:, :2].min(axis=0) for s in surfaces], axis=0)
+    high = np.max([s.points[:, :2].max(axis=0) for s in surfaces], axis=0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])

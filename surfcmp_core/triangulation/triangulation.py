@@ -5,6 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.errors import InputError
+from surfcmp_core.triangulation.half_edges import half_edges
+from surfcmp_core.triangulation.lawson import is_triangulation, make_delaunay
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Triangulation:
@@ -33,3 +37,75 @@ class Triangulation:
     def triangles(self) -> NDArray[np.int32]:
         """(m, 3) int32, counter-clockwise."""
         return self.start[: 3 * self.real].reshape(-1, 3)
+
+
+def _delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
+    from triangular import delaunay
+
+    return np.asarray(delaunay(nodes), np.int32)
+
+
+def _slow_delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
+    from pythoncdt import Triangulation as Builder
+    from pythoncdt import V2d
+
+    builder = Builder()
+    builder.insert_vertices([V2d(float(x), float(y)) for x, y in nodes])
+    builder.erase_super_triangle()
+    return np.array([triangle.vertices for triangle in builder.triangles], np.int32)
+
+
+def _checked(nodes: NDArray[np.float64], triangles: NDArray[np.int32]) -> Triangulation | None:
+    if len(triangles) == 0:
+        return None
+    edges = half_edges(triangles, len(nodes))
+    if edges is None or not is_triangulation(nodes, *edges, len(triangles)):
+        return None
+    make_delaunay(nodes, *edges, len(triangles))
+    return Triangulation(nodes, *edges, len(triangles))
+
+
+def triangulate(
+    nodes: NDArray[np.float64],
+    *,
+    name: str = "grid",
+    model: NDArray[np.int32] | None = None,
+) -> Triangulation:
+    """Triangulate a grid.
+
+    A library's triangles are never believed: they are verified exactly and brought into the
+    unique Delaunay triangulation by Lawson flips.
+
+    Parameters
+    ----------
+    nodes : (n, 2) float64
+        Distinct, within the range of :func:`surfcmp_core.grid.safe_scale`; best along a
+        space-filling curve.
+    name : str
+        How the message calls the grid.
+    model : (m, 3) int32, optional
+        Triangles of a model on these nodes; where they cover the convex hull they are taken and
+        repaired in linear time, else the nodes are triangulated.
+
+    Returns
+    -------
+    Triangulation
+
+    Raises
+    ------
+    InputError
+        Where all nodes are collinear.
+
+    References
+    ----------
+    Stage 1 of the paper's section 3.2.
+    """
+    if model is not None and len(model) >= len(nodes) - 2:
+        found = _checked(nodes, model)
+        if found is not None:
+            return found
+    for builder in (_delaunay, _slow_delaunay):
+        found = _checked(nodes, builder(nodes))
+        if found is not None:
+            return found
+    raise InputError(f"{name}: all nodes are collinear")

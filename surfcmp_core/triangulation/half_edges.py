@@ -1,0 +1,136 @@
+"""Half-edges of a triangulation, closed by ghost triangles.
+
+Half-edge ``3 t + i`` leads from corner i of triangle t to the next corner counter-clockwise; it
+names that corner too. `start` holds the node it leads from, `twin` the half-edge of the neighbour
+along the same edge. Each hull edge carries a ghost triangle whose third node, at infinity, is -1:
+half-edges ``3 g`` (the hull edge, clockwise around the hull), ``3 g + 1`` (to infinity) and
+``3 g + 2`` (back). With ghosts no node has a border, and no walk needs a case for it.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.kernel import inlined, kernel
+
+INFINITY = -1
+"""Number of the node at infinity."""
+
+
+@inlined
+def following(h: int) -> int:
+    """Next half-edge of the same triangle, counter-clockwise."""
+    return h - 2 if h % 3 == 2 else h + 1
+
+
+@inlined
+def preceding(h: int) -> int:
+    """Previous half-edge of the same triangle."""
+    return h + 2 if h % 3 == 0 else h - 1
+
+
+@kernel
+def _order_by_lowest_node(
+    triangles: NDArray[np.int32], count: int, ordered: NDArray[np.int32]
+) -> None:
+    """Triangles sorted by their lowest node, each starting with it."""
+    place = np.zeros(count + 1, np.int32)
+    for t in range(triangles.shape[0]):
+        place[min(triangles[t, 0], triangles[t, 1], triangles[t, 2]) + 1] += 1
+    for v in range(count):
+        place[v + 1] += place[v]
+    for t in range(triangles.shape[0]):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        if b < a and b < c:
+            a, b, c = b, c, a
+        elif c < a and c < b:
+            a, b, c = c, a, b
+        row = place[a]
+        place[a] += 1
+        ordered[row, 0] = a
+        ordered[row, 1] = b
+        ordered[row, 2] = c
+
+
+@kernel
+def _match(start: NDArray[np.int32], count: int, twin: NDArray[np.int32]) -> int:
+    """Find all twins, -1 on the border; return its length, -1 where an edge repeats."""
+    first = np.zeros(count + 1, np.int32)
+    for h in range(start.size):
+        first[start[h] + 1] += 1
+    for v in range(count):
+        first[v + 1] += first[v]
+    leaving = np.empty(start.size, np.int32)
+    fill = first[:-1].copy()
+    for h in range(start.size):
+        leaving[fill[start[h]]] = h
+        fill[start[h]] += 1
+    border = 0
+    for h in range(start.size):
+        a = start[h]
+        b = start[following(h)]
+        found = -1
+        for k in range(first[b], first[b + 1]):
+            if start[following(leaving[k])] == a:
+                if found >= 0:
+                    return -1
+                found = leaving[k]
+        twin[h] = found
+        if found < 0:
+            border += 1
+    return border
+
+
+@kernel
+def _add_ghosts(start: NDArray[np.int32], twin: NDArray[np.int32], real: int, count: int) -> bool:
+    """Fill the ghosts' part of both arrays; False where the border is not made of closed loops."""
+    ghost_at = np.full(count, -1, np.int32)  # ghost of the hull edge that leaves a node
+    h_ghost = 3 * real
+    for h in range(3 * real):
+        if twin[h] < 0:
+            a = start[h]
+            if ghost_at[a] >= 0:
+                return False
+            ghost_at[a] = h_ghost
+            twin[h] = h_ghost
+            twin[h_ghost] = h
+            start[h_ghost] = start[following(h)]
+            start[h_ghost + 1] = a
+            start[h_ghost + 2] = INFINITY
+            h_ghost += 3
+    for g in range(3 * real, start.size, 3):
+        onward = ghost_at[start[g]]
+        if onward < 0:
+            return False
+        twin[g + 2] = onward + 1
+        twin[onward + 1] = g + 2
+    return True
+
+
+def half_edges(
+    triangles: NDArray[np.int32], count: int
+) -> tuple[NDArray[np.int32], NDArray[np.int32]] | None:
+    """Half-edges of a triangulation, in linear time.
+
+    Parameters
+    ----------
+    triangles : (m, 3) int32
+        Counter-clockwise, in numbers below `count`.
+    count : int
+        Number of nodes.
+
+    Returns
+    -------
+    start, twin : (3 (m + h),) int32
+        See the module; real triangles are renumbered after their lowest nodes. None where the
+        triangles do not form a surface with a simple border.
+    """
+    real = len(triangles)
+    ordered = np.empty((real, 3), np.int32)
+    _order_by_lowest_node(triangles, count, ordered)
+    twin = np.empty(3 * real, np.int32)
+    border = _match(ordered.reshape(-1), count, twin)
+    if border < 3:
+        return None
+    start = np.concatenate((ordered.reshape(-1), np.empty(3 * border, np.int32)))
+    twin = np.concatenate((twin, np.empty(3 * border, np.int32)))
+    return (start, twin) if _add_ghosts(start, twin, real, count) else None
