@@ -1,0 +1,61 @@
+"""How the comparison is looked at; nothing here changes a number."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Heatmap(StrEnum):
+    """What the fourth view colours each triangle of T by."""
+
+    ABSOLUTE = "absolute"
+    SIGNED = "signed"
+    REPRESENTATIVE = "representative"
+    TRUST = "trust"
+    HEIGHT_1 = "height 1"
+    HEIGHT_2 = "height 2"
+
+    @property
+    def of_difference(self) -> bool:
+        """Whether the colours stand for a difference, on the scale the user set."""
+        return self in {Heatmap.ABSOLUTE, Heatmap.SIGNED, Heatmap.REPRESENTATIVE}
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """The range of the differences' colours: 0 to `limit`, or -`limit` to `limit` when signed.
+
+    Attributes
+    ----------
+    limit : float
+        Largest difference that has a colour of its own, in the unit of the input.
+    tolerances : tuple of float
+        Ascending; where `banded`, the colour changes at these and nowhere else.
+    banded : bool
+        Bands between tolerances in place of a continuous scale.
+    pinned : bool
+        The user chose `limit`: other inputs leave it alone.
+    """
+
+    limit: float = 1.0
+    tolerances: tuple[float, ...] = (0.5, 1.0, 2.0)
+    banded: bool = False
+    pinned: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ViewState:
+    """What the four views show."""
+
+    relief: bool = True
+    heatmap: Heatmap = Heatmap.SIGNED
+    scale: Scale = Scale()
+    edges: bool = True
+    filled: int | None = None
+    """The view (0 to 3) that has the window to itself."""
+    picked: int | None = None
+    """The triangle of T shown in all views."""
+    chain: int | None = None
+    """The chain that stands out from the others."""
+    brush: tuple[float, float] | None = None
+    """The range of differences that stands out; the others fade."""
+    dark: bool = False

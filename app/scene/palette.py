@@ -1,0 +1,45 @@
+"""Colours that carry no quantity: backgrounds, the two surfaces, edges, no data."""
+
+from dataclasses import dataclass
+
+from app.scene.colour_maps import Rgb
+
+
+@dataclass(frozen=True, slots=True)
+class Palette:
+    """One set of quiet colours, for a dark or a light window."""
+
+    background: Rgb
+    surface_1: Rgb
+    surface_2: Rgb
+    shared: Rgb
+    """Triangles whose nodes are all shared."""
+    edge: Rgb
+    no_data: Rgb
+    accent: Rgb
+    """The picked triangle and the chosen chain."""
+
+
+LIGHT = Palette(
+    background=(247, 248, 250),
+    surface_1=(176, 196, 214),
+    surface_2=(222, 206, 178),
+    shared=(206, 206, 206),
+    edge=(32, 40, 52),
+    no_data=(201, 204, 209),
+    accent=(0, 122, 204),
+)
+DARK = Palette(
+    background=(24, 26, 31),
+    surface_1=(126, 150, 174),
+    surface_2=(180, 160, 126),
+    shared=(130, 130, 130),
+    edge=(8, 10, 14),
+    no_data=(74, 78, 86),
+    accent=(92, 188, 255),
+)
+
+
+def palette(dark: bool) -> Palette:
+    """Return the colours for a dark or a light window."""
+    return DARK if dark else LIGHT

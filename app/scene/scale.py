@@ -1,0 +1,36 @@
+"""Round limits and round ticks."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def round_up(value: float) -> float:
+    """Return the smallest of 1, 2, 5 times a power of ten that is at least `value`."""
+    if not math.isfinite(value) or value <= 0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value))
+    step = next(k for k in (1, 2, 5, 10) if value <= k * power * (1 + 1e-9))
+    return float(f"{step * power:.12g}")
+
+
+def fitting_limit(differences: NDArray[np.float64], areas: NDArray[np.float64]) -> float:
+    """Return a round limit that leaves at most a hundredth of the area beyond it."""
+    known = np.isfinite(differences) & np.isfinite(areas)
+    size, weight = np.abs(differences[known]), areas[known]
+    if not size.size or not weight.sum():
+        return 1.0
+    order = np.argsort(size)
+    share = np.cumsum(weight[order]) / weight.sum()
+    return round_up(float(size[order][min(np.searchsorted(share, 0.99), len(order) - 1)]))
+
+
+def ticks(low: float, high: float, most: int = 7) -> list[float]:
+    """Return round values from `low` to `high`, at most `most` of them."""
+    step = round_up((high - low) / most) if high > low else 1.0
+    while (high - low) / step > most - 1 + 1e-9:
+        step = round_up(step * 1.5)
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
+    return [float(f"{k * step:.12g}") for k in range(first, last + 1)]

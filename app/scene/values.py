@@ -1,0 +1,53 @@
+"""The value behind each triangle's colour in the heatmap."""
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.view_state import Heatmap
+from surfcmp_core.comparison import Comparison
+
+
+class Trust(IntEnum):
+    """What a triangle of T rests on."""
+
+    BOTH = 0
+    """Nodes of both grids."""
+    ONLY_1 = 1
+    """Nodes of grid 1 alone: surface 2 is interpolated over a gap."""
+    ONLY_2 = 2
+    """Nodes of grid 2 alone."""
+    NOT_COMPARED = 3
+
+
+def values_of(comparison: Comparison, heatmap: Heatmap) -> NDArray[np.float64]:
+    """Return (M,) the values `heatmap` shows; NaN where there is none.
+
+    `Heatmap.TRUST` gives the numbers of `Trust`.
+    """
+    match heatmap:
+        case Heatmap.ABSOLUTE:
+            return comparison.mean_abs
+        case Heatmap.SIGNED:
+            return comparison.mean_signed
+        case Heatmap.REPRESENTATIVE:
+            return np.where(comparison.united.representative, comparison.mean_abs, np.nan)
+        case Heatmap.TRUST:
+            return trust_of(comparison).astype(np.float64)
+        case Heatmap.HEIGHT_1:
+            return np.asarray(comparison.z1[comparison.united.triangles].mean(axis=1))
+        case Heatmap.HEIGHT_2:
+            return np.asarray(comparison.z2[comparison.united.triangles].mean(axis=1))
+
+
+def trust_of(comparison: Comparison) -> NDArray[np.uint8]:
+    """Return (M,) a `Trust` for each triangle of T."""
+    united = comparison.united
+    seen = np.bitwise_or.reduce(united.label[united.triangles], axis=1)
+    trust = np.select(
+        [~comparison.compared, seen == 3, seen == 1],
+        [Trust.NOT_COMPARED, Trust.BOTH, Trust.ONLY_1],
+        default=Trust.ONLY_2,
+    )
+    return trust.astype(np.uint8)
