@@ -1,0 +1,45 @@
+# One command each; every target does its own set-up (.venv, system libraries) first.
+
+python := .venv/bin/python
+# Qt and VTK on a screen in memory
+screen := QT_API=pyside6 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24 -noreset"
+
+.PHONY: help run test test-core test-window lint types bench fuzz samples screenshot \
+	setup-run setup-test setup-dev
+
+help: ## say what there is
+	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
+
+run: setup-run ## open the window on the built-in pair (no display: picture and numbers in out/)
+	@.make/run
+
+test: ## run all tests
+	@$(MAKE) --no-print-directory --keep-going test-core test-window
+
+test-core: setup-test ## run the tests of the core
+	$(python) -m pytest tests/core
+
+test-window: setup-test ## run the tests of the window
+	$(screen) $(python) -m pytest tests/window
+
+lint: setup-dev ## check style
+	$(python) -m ruff check
+	$(python) -m ruff format --check
+
+types: setup-dev ## check types
+	$(python) -m mypy
+
+bench: setup-test ## measure speed and memory
+	$(python) -m tests.benchmarks
+
+fuzz: setup-test ## compare with slow oracles on random input, for long
+	$(python) -m tests.fuzz
+
+samples: setup-run ## write the built-in samples anew
+	$(python) resources/make_samples.py
+
+screenshot: setup-run ## write the picture of the window shown in the README
+	$(screen) $(python) -m app.screenshot resources/window.png
+
+setup-run setup-test setup-dev:
+	@.make/setup $(@:setup-%=%)
