@@ -1,0 +1,57 @@
+"""Compare two surfaces z = F(x, y) given on unstructured grids of different density.
+
+>>> from surfcmp_core import read_surface, compare  # doctest: +SKIP
+>>> result = compare(read_surface("a.ply"), read_surface("b.ply"))  # doctest: +SKIP
+>>> result.measures.mean_abs  # doctest: +SKIP
+"""
+
+import sys
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from surfcmp_core.compare import compare
+    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.errors import InputError
+    from surfcmp_core.io import read_surface
+    from surfcmp_core.surface import Surface
+
+    __version__: str
+
+__all__ = ["Comparison", "InputError", "Surface", "__version__", "compare", "read_surface"]
+
+_HOMES = {
+    "Comparison": "surfcmp_core.comparison",
+    "InputError": "surfcmp_core.errors",
+    "Surface": "surfcmp_core.surface",
+    "compare": "surfcmp_core.compare",
+    "read_surface": "surfcmp_core.io",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import what is asked for only when it is: reading a file needs no kernels."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("surfcmp")
+    if name in _HOMES:
+        from importlib import import_module
+
+        return getattr(import_module(_HOMES[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+class _Package(ModuleType):
+    """The package itself, whose `compare` stays the function.
+
+    Importing the module of that name would else put the module in the function's place.
+    """
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "compare" and isinstance(value, ModuleType):
+            value = value.compare
+        super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package

@@ -1,0 +1,67 @@
+"""The results made for programs: .json, .npz, .csv."""
+
+import json
+from typing import BinaryIO
+
+import numpy as np
+
+from surfcmp_core.comparison import Comparison
+from surfcmp_core.report.document import Document
+from surfcmp_core.report.meanings import REASONS
+
+
+def json_bytes(document: Document) -> bytes:
+    """Write a document as strict JSON, UTF-8, ending in a line feed."""
+    return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False).encode() + b"\n"
+
+
+def write_json(_comparison: Comparison, document: Document, stream: BinaryIO) -> None:
+    """Write the .json result."""
+    stream.write(json_bytes(document))
+
+
+def write_npz(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+    """Write the .npz result: every array of the comparison, unrounded."""
+    united = comparison.united
+    np.savez(
+        stream,
+        nodes=united.nodes.astype(np.float64, copy=False),
+        label=united.label.astype(np.uint8, copy=False),
+        z1=comparison.z1.astype(np.float64, copy=False),
+        z2=comparison.z2.astype(np.float64, copy=False),
+        triangles=united.triangles.astype(np.int32, copy=False),
+        origin=united.origin.astype(np.uint8, copy=False),
+        chain=united.chain.astype(np.int32, copy=False),
+        chain_closed=united.chain_closed.astype(np.bool_, copy=False),
+        compared=comparison.compared,
+        area=comparison.area.astype(np.float64, copy=False),
+        mean_abs=comparison.mean_abs.astype(np.float64, copy=False),
+        mean_signed=comparison.mean_signed.astype(np.float64, copy=False),
+        tree1=united.tree1.astype(np.int32, copy=False),
+        tree2=united.tree2.astype(np.int32, copy=False),
+    )
+
+
+def write_csv(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+    """Write the .csv result: a row for each triangle, empty where there is no value.
+
+    x, y is the centroid; `compared` is 1 or 0 and `reason` says why it is 0.
+    """
+    import pandas as pd
+
+    united = comparison.united
+    centroid = united.nodes[united.triangles].mean(axis=1)
+    table = pd.DataFrame(
+        {
+            "x": centroid[:, 0],
+            "y": centroid[:, 1],
+            "area": comparison.area,
+            "mean_abs": comparison.mean_abs,
+            "mean_signed": comparison.mean_signed,
+            "origin": united.origin,
+            "chain": united.chain,
+            "compared": comparison.compared.astype(np.uint8),
+            "reason": pd.Categorical.from_codes(comparison.reason.astype(np.int8), REASONS),
+        }
+    )
+    table.to_csv(stream, index=False, lineterminator="\n", encoding="utf-8")

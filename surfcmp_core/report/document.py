@@ -1,0 +1,120 @@
+"""The .json result as a dictionary; every other report is made from it."""
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import asdict
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import surfcmp_core
+from surfcmp_core.comparison import Comparison
+from surfcmp_core.grid import Grid
+from surfcmp_core.surface import Surface
+
+Document = dict[str, Any]
+
+STAGES = (
+    "read",
+    "triangulate",
+    "spanning_trees",
+    "locate",
+    "interpolate",
+    "interface",
+    "measures",
+    "total",
+)
+
+
+def program() -> Document:
+    """Name and version of the program, as in every .json document."""
+    return {"name": "surfcmp", "version": surfcmp_core.__version__}
+
+
+def now() -> str:
+    """Return the present moment, UTC, ISO 8601."""
+    return datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
+
+
+def unit_of(comparison: Comparison) -> str:
+    """Length unit of the numbers; mm where no file says."""
+    return comparison.surfaces[0].unit or comparison.surfaces[1].unit or "mm"
+
+
+def printable(name: str | Path) -> str:
+    """Return a file's name as text that can be written anywhere, on one line."""
+    text = os.fsencode(name).decode("utf-8", "replace")
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+
+
+def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None) -> Document:
+    """Describe a comparison as schema 1 of the .json result.
+
+    Parameters
+    ----------
+    comparison
+        The finished comparison.
+    asked
+        Options the comparison itself does not know (weight file, alignment, projection), to
+        stand among the others.
+
+    Returns
+    -------
+    dict
+        Strict JSON: numbers that are not finite have become None.
+    """
+    options = comparison.options
+    limit = options.max_edge
+    return _strict(
+        {
+            "schema": 1,
+            "program": program(),
+            "created": now(),
+            "inputs": [
+                _input(surface, grid)
+                for surface, grid in zip(comparison.surfaces, comparison.grids, strict=True)
+            ],
+            "options": {
+                **asdict(options),
+                "max_edge": limit,
+                "max_edge_derived": limit is None and options.domain == "data",
+                "max_edge_used": list(comparison.max_edges),
+                "unit": unit_of(comparison),
+                **(asked or {}),
+            },
+            "transform": comparison.transform.tolist(),
+            "counts": comparison.counts,
+            "measures": asdict(comparison.measures),
+            "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in STAGES},
+            "warnings": list(comparison.warnings),
+        }
+    )
+
+
+def _input(surface: Surface, grid: Grid) -> Document:
+    """Nodes in = nodes used + nodes dropped, by reason."""
+    dropped = {**surface.dropped, **({"merged": grid.merged} if grid.merged else {})}
+    return {
+        "file": printable(surface.path or surface.name),
+        "sha256": surface.sha256,
+        "kind": surface.kind,
+        "nodes": len(surface.points) + sum(surface.dropped.values()),
+        "triangles": 0 if surface.faces is None else len(surface.faces),
+        "dropped": dropped,
+    }
+
+
+def _strict(value: Any) -> Any:
+    """Replace what JSON has no word for (NaN, infinity) by None, tuples by lists."""
+    if isinstance(value, Mapping):
+        return {str(key): _strict(inner) for key, inner in value.items()}
+    if isinstance(value, list | tuple):
+        return [_strict(inner) for inner in value]
+    if isinstance(value, np.generic):
+        return _strict(value.item())
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    return value
