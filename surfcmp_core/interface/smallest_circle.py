@@ -1,0 +1,31 @@
+"""Choice of the node that gives the smallest circle touching at v: the paper's step (d)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.kernel import kernel
+from surfcmp_core.predicates import compare_tangent_circles, orientation
+
+
+@kernel
+def is_better(
+    nodes: NDArray[np.float64], vx: float, vy: float, ux: float, uy: float, best: int, d: int
+) -> bool:
+    """Whether d gives a smaller circle through v, centred on the ray v→u, than `best` does.
+
+    Of nodes on one circle the outermost on one side of the ray is wanted: only neighbours along
+    an empty circle are sure to be joined by an edge.
+    """
+    ax, ay = nodes[best, 0], nodes[best, 1]
+    bx, by = nodes[d, 0], nodes[d, 1]
+    order = compare_tangent_circles(vx, vy, ux, uy, ax, ay, bx, by)
+    if order != 0.0:
+        return order > 0.0
+    side_of_best = orientation(vx, vy, ux, uy, ax, ay)
+    side_of_d = orientation(vx, vy, ux, uy, bx, by)
+    if side_of_best == 0.0:
+        return side_of_d != 0.0
+    if (side_of_best > 0.0) != (side_of_d > 0.0) or side_of_d == 0.0:
+        return False
+    turn = orientation(vx, vy, ax, ay, bx, by)
+    return turn > 0.0 if side_of_best > 0.0 else turn < 0.0
