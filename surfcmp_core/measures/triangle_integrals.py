@@ -23,13 +23,7 @@ def ordered(a: float, b: float, c: float) -> tuple[float, float, float]:
     lo, mid, hi : float
         As the other functions here want them.
     """
-    if a > b:
-        a, b = b, a
-    if b > c:
-        b, c = c, b
-        if a > b:
-            a, b = b, a
-    return a, b, c
+    return min(min(a, b), c), max(min(a, b), min(max(a, b), c)), max(max(a, b), c)
 
 
 @kernel
