@@ -1,4 +1,4 @@
-"""The document: everything that decides the numbers."""
+"""The document: everything that decides the numbers, and the unit they are told in."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -6,55 +6,38 @@ from typing import Self
 
 from surfcmp_core.comparison import Options
 
-IDENTITY = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
-"""The motion that moves nothing."""
-
 Transform = tuple[tuple[float, float, float, float], ...]
 
-
-@dataclass(frozen=True, slots=True)
-class Source:
-    """Where a surface comes from: a file, or one half of a built-in sample pair."""
-
-    path: Path | None = None
-    sample: str = ""
-    number: int = 1
-
-    @property
-    def name(self) -> str:
-        """How the window calls it."""
-        return self.path.name if self.path else f"{self.sample} {self.number} (sample)"
-
-    @classmethod
-    def of_file(cls, path: Path) -> Self:
-        """Return the source that reads `path`."""
-        return cls(path=path.absolute())
+IDENTITY: Transform = (
+    (1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.0),
+    (0.0, 0.0, 1.0, 0.0),
+    (0.0, 0.0, 0.0, 1.0),
+)
+"""The motion that moves nothing."""
 
 
 @dataclass(frozen=True, slots=True)
 class Document:
     """Inputs, options and the motion of surface 2; equal documents give equal numbers."""
 
-    sources: tuple[Source | None, Source | None] = (None, None)
+    paths: tuple[Path | None, Path | None] = (None, None)
     options: Options = field(default_factory=Options)
     transform: Transform = IDENTITY
     """Moves surface 2, in the files' coordinates."""
+    unit: str = ""
+    """What the user says the files' unit is; empty: what the files say."""
 
     @property
     def complete(self) -> bool:
-        """Whether both surfaces are there."""
-        return all(self.sources)
+        """Whether both surfaces are named."""
+        return all(self.paths)
 
-    def with_source(self, number: int, source: Source | None) -> Self:
+    def with_path(self, number: int, path: Path | None) -> Self:
         """Return the document with surface `number` (1 or 2) replaced."""
-        one, two = self.sources
-        return replace(self, sources=(source, two) if number == 1 else (one, source))
+        one, two = self.paths
+        return replace(self, paths=(path, two) if number == 1 else (one, path))
 
     def swapped(self) -> Self:
         """Return the document with the surfaces' roles exchanged."""
-        return replace(self, sources=(self.sources[1], self.sources[0]))
-
-
-def sample(name: str) -> Document:
-    """Return the document of a built-in sample pair."""
-    return Document(sources=(Source(sample=name, number=1), Source(sample=name, number=2)))
+        return replace(self, paths=(self.paths[1], self.paths[0]))

@@ -1,0 +1,103 @@
+"""Titles, legends and the colour bar: what explains the views."""
+
+from dataclasses import dataclass
+
+from app.model.view_state import Heatmap, ViewState
+from app.scene.chain_colours import oklch
+from app.scene.colour_maps import (
+    ABOVE,
+    BELOW,
+    Colours,
+    Rgb,
+    band_colours,
+    band_edges,
+    map_of,
+)
+from app.scene.palette import palette
+from app.scene.scale import ticks
+from app.scene.scene import TRUST_COLOURS, height_range
+from app.scene.values import Trust
+from surfcmp_core.comparison import Comparison
+
+import numpy as np
+
+
+@dataclass(frozen=True, slots=True)
+class Swatch:
+    """One line of a legend: colours side by side and what they mean."""
+
+    colours: tuple[Rgb, ...]
+    text: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ColourBar:
+    """A scale: colours from low to high, where the numbers stand, and what lies beyond.
+
+    Attributes
+    ----------
+    colours : (k, 3) uint8
+        Equally wide pieces from the low end to the high end.
+    ticks : tuple of (float, float)
+        Place in [0, 1] and the value there, in the unit.
+    below, above : colour or None
+        Of values beyond the ends; None where nothing lies there.
+    """
+
+    colours: Colours
+    ticks: tuple[tuple[float, float], ...]
+    below: Rgb | None
+    above: Rgb | None
+    no_data: Rgb
+
+
+def colour_bar(comparison: Comparison, state: ViewState) -> ColourBar | None:
+    """Return the heatmap's scale, or None where its colours stand for kinds."""
+    if state.heatmap is Heatmap.TRUST:
+        return None
+    quiet = palette(state.dark)
+    signed = state.heatmap is Heatmap.SIGNED
+    if state.heatmap.of_difference and state.scale.banded:
+        edges = band_edges(state.scale, signed)
+        bands = band_colours(state.scale, signed)
+        marks = tuple(((k + 1) / len(bands), float(edge)) for k, edge in enumerate(edges))
+        return ColourBar(bands, marks, None, None, quiet.no_data)
+    if state.heatmap.of_difference:
+        low, high = (-state.scale.limit if signed else 0.0), state.scale.limit
+        below, above = (BELOW if signed else None), ABOVE
+    else:
+        (low, high), below, above = height_range(comparison), None, None
+    span = high - low or 1.0
+    marks = tuple(((value - low) / span, value) for value in ticks(low, high))
+    return ColourBar(map_of(state.heatmap), marks, below, above, quiet.no_data)
+
+
+def legend(comparison: Comparison, state: ViewState, view: int) -> tuple[Swatch, ...]:
+    """Return the legend of one view."""
+    quiet = palette(state.dark)
+    if view == 2:
+        counts = comparison.counts
+        lines = [
+            Swatch((quiet.surface_1,), "clouts of 1"),
+            Swatch((quiet.surface_2,), "clouts of 2"),
+            Swatch(_some(5.0, 95.0), f"{counts['chains_closed']} closed chains"),
+            Swatch(_some(185.0, 300.0), f"{counts['chains_open']} open chains"),
+        ]
+        if counts["nodes_shared"]:
+            lines.insert(2, Swatch((quiet.shared,), "shared nodes only"))
+        return tuple(lines)
+    if view == 3 and state.heatmap is Heatmap.TRUST:
+        return (
+            Swatch((TRUST_COLOURS[Trust.BOTH],), "rests on both grids"),
+            Swatch((TRUST_COLOURS[Trust.ONLY_1],), "on grid 1 only"),
+            Swatch((TRUST_COLOURS[Trust.ONLY_2],), "on grid 2 only"),
+            Swatch((quiet.no_data,), "not compared"),
+        )
+    return ()
+
+
+def _some(first: float, last: float) -> tuple[Rgb, ...]:
+    """Return four colours out of a family of chains."""
+    hues = np.linspace(first, last, 4)
+    colours = oklch(np.full(4, 0.68), np.full(4, 0.135), hues)
+    return tuple((int(r), int(g), int(b)) for r, g, b in colours)
