@@ -6,13 +6,15 @@ given noise as a scanner would; truth.json speaks of the noise-free heights.
 
 import json
 import sys
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from face_shape import EYEBROW_HOLE, face, outline
 from numpy.typing import NDArray
-from sampling import Box, mesh, rounded, roughness, scatter
+from sampling import Box, Height, Inside, mesh, roughness, rounded, scatter
+from teeth_shape import face_with_teeth, opening, teeth
 from terrain_shape import SIZE, inside, terrain
 
 Array = NDArray[np.float64]
@@ -21,6 +23,11 @@ FACE_BOX: Box = (-78, 78, -112, 110)
 FACE_NOISE = 0.06
 FACE_QUANTUM = 2.0**-9
 SWELLING = {"x": 39.0, "y": -26.0, "radius": 22.0, "height": 6.0}
+
+SCAN_NOISE = (0.08, 0.02)
+JAW_BOX: Box = (-30, 30, -71, -38)
+LIP_SEAM = 1.5
+"""Width of the strip along the lips' inner edges where the face scan passes from lip to tooth."""
 
 TERRAIN_NOISE = 0.05
 TERRAIN_QUANTUM = 2.0**-7
@@ -31,23 +38,30 @@ LAKES_2024 = ((562.0, 686.0, 82.0), (150.0, 700.0, 45.0))
 
 
 def dome(x: Array, y: Array, at: dict[str, float]) -> Array:
-    """A smooth round mound, h (1 - r²/R²)³; its volume is π R² h / 4."""
+    """Height of a smooth round mound, h (1 - r²/R²)³; its volume is π R² h / 4."""
     r2 = ((x - at["x"]) ** 2 + (y - at["y"]) ** 2) / at["radius"] ** 2
     return at["height"] * np.maximum(1 - r2, 0) ** 3
 
 
-def dome_volume(at: dict[str, float]) -> float:
-    """Its volume, signed as its height."""
-    return float(np.pi * at["radius"] ** 2 * at["height"] / 4)
+def change(what: str, at: dict[str, float]) -> dict[str, Any]:
+    """Tell what F1 - F2 is where the second surface has a dome."""
+    return {
+        "what": what,
+        "centre": [at["x"], at["y"]],
+        "radius": at["radius"],
+        "signed_volume": -np.pi * at["radius"] ** 2 * at["height"] / 4,
+        "mean_signed": -at["height"] / 4,
+        "extreme": -at["height"],
+    }
 
 
 def swollen(x: Array, y: Array) -> Array:
-    """The face with its swelling."""
+    """Height of the face with its swelling."""
     return face(x, y) + dome(x, y, SWELLING)
 
 
 def dug(x: Array, y: Array) -> Array:
-    """The land with its quarry and the heap beside it."""
+    """Height of the land with its quarry and its heap."""
     return terrain(x, y) + dome(x, y, QUARRY) + dome(x, y, HEAP)
 
 
@@ -63,6 +77,16 @@ def in_after(x: Array, y: Array) -> NDArray[np.bool_]:
     return (outline(x, y, np.array([3.2, 0.4, 1.1])) > 0) & ~hair
 
 
+def in_face_scan(x: Array, y: Array) -> NDArray[np.bool_]:
+    """Where the face with bared teeth was scanned."""
+    return outline(x, y, np.array([1.7, 5.0, 2.6])) > 0
+
+
+def in_jaw_scan(x: Array, y: Array) -> NDArray[np.bool_]:
+    """Where the teeth were scanned: beyond the lips, and the gums under them."""
+    return np.asarray(np.abs(x / 28.5) ** 3.5 + np.abs((y + 54.5) / 15.5) ** 3 < 1)
+
+
 def write_ply(path: Path, points: Array, faces: NDArray[np.int32]) -> None:
     """Binary little-endian, float32."""
     head = (
@@ -75,34 +99,68 @@ def write_ply(path: Path, points: Array, faces: NDArray[np.int32]) -> None:
     path.write_bytes(head.encode() + points.astype("<f4").tobytes() + record.tobytes())
 
 
+def write_scan(
+    path: Path, height: Height, within: Inside, box: Box, count: int, seed: int, noise: float
+) -> None:
+    """Sample a height field more densely where it bends, add noise, write it as a mesh."""
+    rng = np.random.default_rng(seed)
+    density = roughness(height, box, (box[1] - box[0]) / 156, 6.0)
+    nodes = scatter(count, box, within, density, rng, 8)
+    nodes, faces = mesh(rounded(nodes, FACE_QUANTUM), within)
+    z = height(*nodes.T) + rng.normal(0, noise, len(nodes))
+    write_ply(path, np.column_stack([nodes, rounded(z, FACE_QUANTUM)]), faces)
+
+
 def face_pair(folder: Path) -> dict[str, Any]:
     """Face before and after a swelling of the left cheek."""
-    scans = (
-        ("face_before", face, in_before, 9000, 101),
-        ("face_after", swollen, in_after, 4000, 202),
-    )
-    for name, height, within, count, seed in scans:
-        rng = np.random.default_rng(seed)
-        density = roughness(height, FACE_BOX, 1.0, 6.0)
-        nodes = scatter(count, FACE_BOX, within, density, rng, 8)
-        nodes, faces = mesh(rounded(nodes, FACE_QUANTUM), within)
-        z = height(*nodes.T) + rng.normal(0, FACE_NOISE, len(nodes))
-        write_ply(folder / f"{name}.ply", np.column_stack([nodes, rounded(z, FACE_QUANTUM)]), faces)
+    before, after = folder / "face_before.ply", folder / "face_after.ply"
+    write_scan(before, face, in_before, FACE_BOX, 9000, 101, FACE_NOISE)
+    write_scan(after, swollen, in_after, FACE_BOX, 4000, 202, FACE_NOISE)
     return {
-        "files": ["face_before.ply", "face_after.ply"],
+        "files": [before.name, after.name],
         "unit": "mm",
-        "noise_sigma": FACE_NOISE,
+        "noise_sigma": [FACE_NOISE, FACE_NOISE],
         "seeds": [101, 202],
         "sign": "d = F1 - F2: negative where the second face is swollen",
+        "changes": [change("swelling of the left cheek (+x)", SWELLING)],
+    }
+
+
+def jaw_pair(folder: Path) -> dict[str, Any]:
+    """Face with bared teeth, and a dense scan of those teeth."""
+    scan, jaw = folder / "face_scan.ply", folder / "jaw_scan.ply"
+    write_scan(scan, face_with_teeth, in_face_scan, FACE_BOX, 5000, 505, SCAN_NOISE[0])
+    write_scan(jaw, teeth, in_jaw_scan, JAW_BOX, 9000, 606, SCAN_NOISE[1])
+    h = 0.05
+    x, y = np.meshgrid(np.arange(-30, 30, h) + h / 2, np.arange(-71, -38, h) + h / 2)
+    both = in_jaw_scan(x, y) & in_face_scan(x, y)
+    d = face_with_teeth(x, y) - teeth(x, y)
+    bare = both & (opening(x, y) > LIP_SEAM)
+    return {
+        "files": [scan.name, jaw.name],
+        "unit": "mm",
+        "noise_sigma": list(SCAN_NOISE),
+        "seeds": [505, 606],
+        "sign": "d = F1 - F2: 0 on the bared teeth, positive where a lip covers the gum",
+        "common_area": round(float(both.sum()) * h * h, 1),
         "changes": [
             {
-                "what": "swelling of the left cheek (+x)",
-                "centre": [SWELLING["x"], SWELLING["y"]],
-                "radius": SWELLING["radius"],
-                "signed_volume": -dome_volume(SWELLING),
-                "mean_signed": -SWELLING["height"] / 4,
-                "extreme": -SWELLING["height"],
-            }
+                "what": "lips over the gums, within the outline of the jaw scan",
+                "centre": [0.0, -54.5],
+                "radius": 28.5,
+                "signed_volume": round(float(d[both].sum()) * h * h, 1),
+                "mean_signed": round(float(d[both].mean()), 3),
+                "extreme": round(float(d[both].max()), 2),
+            },
+            {
+                "what": f"bared teeth, {LIP_SEAM} mm and more from the lips",
+                "centre": [0.0, -54.5],
+                "radius": 28.5,
+                "area": round(float(bare.sum()) * h * h, 1),
+                "signed_volume": 0.0,
+                "mean_signed": 0.0,
+                "extreme": 0.0,
+            },
         ],
     }
 
@@ -117,33 +175,23 @@ def terrain_pair(folder: Path) -> dict[str, Any]:
     for name, height, lakes, count, seed in surveys:
         rng = np.random.default_rng(seed)
         density = roughness(height, box, 10.0, 2.0)
-        nodes = scatter(count, box, lambda x, y, lakes=lakes: inside(x, y, lakes), density, rng, 3)
+        nodes = scatter(count, box, partial(inside, lakes=lakes), density, rng, 3)
         nodes = rounded(nodes, TERRAIN_QUANTUM)
         z = rounded(height(*nodes.T) + rng.normal(0, TERRAIN_NOISE, len(nodes)), TERRAIN_QUANTUM)
         np.savez(folder / f"{name}.npz", points=np.column_stack([nodes, z]).astype("<f4"))
     return {
         "files": ["terrain_2020.npz", "terrain_2024.npz"],
         "unit": "m",
-        "noise_sigma": TERRAIN_NOISE,
+        "noise_sigma": [TERRAIN_NOISE, TERRAIN_NOISE],
         "seeds": [303, 404],
         "sign": "d = F1 - F2: positive where earth was taken away by 2024",
-        "changes": [
-            {
-                "what": what,
-                "centre": [at["x"], at["y"]],
-                "radius": at["radius"],
-                "signed_volume": -dome_volume(at),
-                "mean_signed": -at["height"] / 4,
-                "extreme": -at["height"],
-            }
-            for what, at in (("quarry", QUARRY), ("heap", HEAP))
-        ],
+        "changes": [change("quarry", QUARRY), change("heap", HEAP)],
     }
 
 
 def main(folder: Path) -> None:
     """Write all samples and truth.json into a folder."""
-    truth = {"face": face_pair(folder), "terrain": terrain_pair(folder)}
+    truth = {"face": face_pair(folder), "jaw": jaw_pair(folder), "terrain": terrain_pair(folder)}
     (folder / "truth.json").write_text(json.dumps(truth, indent=2) + "\n", encoding="utf-8")
 
 

@@ -34,7 +34,7 @@ def roughness(height: Height, box: Box, cell: float, contrast: float) -> Height:
 def scatter(
     count: int, box: Box, inside: Inside, density: Height, rng: np.random.Generator, rounds: int
 ) -> Array:
-    """(count, 2) nodes inside, spread evenly but for `density` by `rounds` of Lloyd's relaxation."""
+    """(count, 2) nodes inside, as dense as `density` asks, evened by Lloyd's relaxation."""
     found: list[Array] = []
     while sum(map(len, found)) < 30 * count:
         xy = rng.uniform((box[0], box[2]), (box[1], box[3]), (60 * count, 2))

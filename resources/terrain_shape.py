@@ -10,8 +10,8 @@ SIZE = (1200.0, 900.0)
 
 
 def valley(x: Array) -> Array:
-    """The y of the valley's bottom."""
-    return 380 + 90 * np.sin(x / 190 + 0.6) + 40 * np.sin(x / 83)
+    """Give the y of the valley's bottom."""
+    return np.asarray(380 + 90 * np.sin(x / 190 + 0.6) + 40 * np.sin(x / 83))
 
 
 def terrain(x: Array, y: Array) -> Array:

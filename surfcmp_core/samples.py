@@ -39,7 +39,7 @@ def sample_pair(name: Sample = "face") -> tuple[Path, Path]:
 
 
 def truth(name: Sample = "face") -> dict[str, Any]:
-    """What is true of a built-in pair: unit, noise, and volume and place of each change."""
+    """Tell what is true of a built-in pair: unit, noise, volume and place of each change."""
     every = json.loads(_find("truth.json").read_text(encoding="utf-8"))
     return dict(every[name])
 
