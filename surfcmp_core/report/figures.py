@@ -8,15 +8,21 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
-from surfcmp_core.report.numbers import with_unit
+from surfcmp_core.report.provenance import base_name, key_figures
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
 INK = "#1f2430"
 QUIET = "#6b7280"
-NOT_COMPARED = "#c9ccd1"
+NOT_COMPARED = "#b4b8bf"
+NOT_COMPARED_INK = "#8b919b"
+ABOVE = "#d400a0"
+BELOW = "#7028e4"
+MAP_MARGINS = (0.75, 0.6, 1.15)
+"""Inches left of a map, below it, and right of it for its scale."""
 _STYLE = {
     "font.family": "sans-serif",
     "font.size": 9.0,
@@ -30,13 +36,18 @@ _STYLE = {
 }
 
 
-def round_up(value: float) -> float:
-    """Return the next round number, for the end of a colour scale; 1 where there is nothing."""
+def scale_end(comparison: Comparison) -> float:
+    """Return 1, 2 or 5 times a power of ten with at most a hundredth of the area beyond it."""
+    values, area = comparison.mean_abs[comparison.compared], comparison.area[comparison.compared]
+    order = np.argsort(values)
+    share = np.cumsum(area[order])
+    if not share.size or not math.isfinite(share[-1]):
+        return 1.0
+    value = float(values[order][np.searchsorted(share, 0.99 * share[-1])])
     if not math.isfinite(value) or value <= 0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(value))
-    steps = (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
-    return next(step * power for step in steps if step * power >= value * (1 - 1e-12))
+    return float(f"{next(k for k in (1, 2, 5, 10) if value <= k * power * (1 + 1e-9)) * power:g}")
 
 
 def heatmap(
@@ -56,87 +67,142 @@ def heatmap(
     Returns
     -------
     matplotlib.figure.Figure
-        The scale ends at the next round number above the 95th percentile; triangles that were
-        not compared are grey.
+        Triangles beyond the scale are magenta (violet below a signed one), those that were not
+        compared are grey.
     """
-    import matplotlib as mpl
-    from cmcrameri import cm
+    width, height = map_size(comparison, 6.4, 7.0)
+    left, bottom, right, top = *MAP_MARGINS, 0.85 if titled else 0.3
+    page = (max(left + width + right, 6.2 if titled else 0.0), bottom + height + top)
+    figure = sheet(*page)
+    draw_map(figure, comparison, document, (left, bottom, width, height), signed=signed)
+    if titled:
+        for down, text, style in (
+            (0.28, title(document), {"fontsize": 11.5, "fontweight": "bold"}),
+            (0.5, _summary(document), {"color": QUIET}),
+        ):
+            figure.text(left / page[0], 1 - down / page[1], text, **style)
+    return figure
+
+
+def sheet(width: float, height: float) -> "Figure":
+    """Return an empty figure of a size in inches."""
     from matplotlib.figure import Figure
 
+    return Figure(figsize=(width, height), dpi=160)
+
+
+def map_size(comparison: Comparison, most_width: float, most_height: float) -> tuple[float, float]:
+    """Return width and height of the map to scale, at most as large as said."""
+    low, high = _frame(comparison)
+    width, height = (high - low) * min((most_width, most_height) / (high - low))
+    return float(width), float(height)
+
+
+def draw_map(
+    figure: "Figure",
+    comparison: Comparison,
+    document: Document,
+    place: tuple[float, float, float, float],
+    *,
+    signed: bool,
+) -> None:
+    """Draw the map and, right of it, its scale.
+
+    Parameters
+    ----------
+    figure
+        Where to.
+    comparison, document
+        The comparison and its .json document.
+    place
+        Left, bottom, width and height in inches, without `MAP_MARGINS`.
+    signed
+        d itself, else |d|.
+    """
+    import matplotlib as mpl
+
     unit = document["options"]["unit"]
-    end = round_up(document["measures"]["p95"] or 0.0)
-    nodes = comparison.united.nodes
-    low, high = nodes.min(axis=0), nodes.max(axis=0)
-    span = np.maximum(high - low, 1e-9 * (high - low).max())
-    shrink = 6.2 / max(span[0], 1.05 * span[1], 1e-300)
+    end = scale_end(comparison)
+    low, high = _frame(comparison)
+    left, bottom, width, height = place
+    bar_height = max(min(height, 3.6), 1.2)
+    values = comparison.mean_signed if signed else comparison.mean_abs
+    beyond = bool(np.nanmax(values, initial=0.0) > end)
+    below = bool(signed and np.nanmin(values, initial=0.0) < -end)
+    extend = {(0, 0): "neither", (1, 0): "max", (0, 1): "min", (1, 1): "both"}[beyond, below]
     with mpl.rc_context(_STYLE):
-        width, height = np.maximum(shrink * span, 1.6) + (2.0, 1.5 if titled else 0.75)
-        figure = Figure(figsize=(max(width, 6.4), height), dpi=160, layout="constrained")
-        axes = figure.add_subplot()
-        map_ = _paint(
-            axes,
-            comparison,
-            comparison.mean_signed if signed else comparison.mean_abs,
-            cmap=(cm.vik if signed else cm.lajolla_r).with_extremes(bad=NOT_COMPARED),
-            vmin=-end if signed else 0.0,
-            vmax=end,
-        )
+        axes = figure.add_axes(_inches(figure, left, bottom, width, height))
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        axes.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})")
+        axes.locator_params(axis="x", nbins=max(2, int(width / 0.9)))
+        axes.locator_params(axis="y", nbins=max(2, int(height / 0.6)))
+        span = {"vmin": -end if signed else 0.0, "vmax": end}
+        painted = _paint(axes, comparison, values, cmap=colours(signed), **span)
+        beside = (left + width + 0.2, bottom + (height - bar_height) / 2, 0.14, bar_height)
         bar = figure.colorbar(
-            map_, ax=axes, extend="both" if signed else "max", fraction=0.05, pad=0.02, aspect=28
+            painted,
+            cax=figure.add_axes(_inches(figure, *beside)),
+            extend=extend,
+            extendfrac=0.05,
         )
-        what = "z₁ − z₂" if signed else "|z₁ − z₂|"
-        bar.set_label(f"{what}, mean of each triangle ({unit})")
+        bar.set_label(f"{'z₁ − z₂' if signed else '|z₁ − z₂|'} ({unit})")
         bar.outline.set_linewidth(0.6)
-        axes.set(aspect="equal", xlabel=f"x ({unit})", ylabel=f"y ({unit})")
-        axes.locator_params(nbins=6)
-        axes.margins(0.02)
         if not comparison.compared.all():
-            axes.text(
-                1.0,
-                1.008,
-                "■ not compared",
-                transform=axes.transAxes,
-                ha="right",
-                va="bottom",
-                color="#9aa0aa",
-                fontsize=8,
-            )
-        if titled:
-            axes.set_title(
-                _title(document), loc="left", fontsize=11.5, fontweight="bold", pad=26, color=INK
-            )
             axes.annotate(
-                _summary(document),
-                (0, 1),
-                xytext=(0, 16),
+                "■ not compared",
+                (1, 1),
+                xytext=(0, 6),
                 xycoords="axes fraction",
                 textcoords="offset points",
-                va="center",
-                color=QUIET,
+                ha="right",
+                color=NOT_COMPARED_INK,
+                fontsize=8,
             )
-    return figure
+
+
+def colours(signed: bool) -> "Colormap":
+    """Return the colour map of differences, the window's own: pale is small, never black."""
+    from cmcrameri import cm
+    from matplotlib.colors import ListedColormap
+
+    pale_first = ListedColormap(cm.lajolla(np.linspace(1.0, 0.1, 256)))
+    return (cm.vik if signed else pale_first).with_extremes(
+        bad=NOT_COMPARED, over=ABOVE, under=BELOW
+    )
 
 
 def histogram(comparison: Comparison, document: Document) -> "Figure":
     """Draw how the compared area is spread over |d|, with the tolerances as lines."""
+    figure = sheet(7.4, 2.4)
+    draw_histogram(figure, comparison, document, (0.7, 0.5, 6.55, 1.8))
+    return figure
+
+
+def draw_histogram(
+    figure: "Figure",
+    comparison: Comparison,
+    document: Document,
+    place: tuple[float, float, float, float],
+) -> None:
+    """Draw the histogram at left, bottom, width and height in inches."""
     import matplotlib as mpl
-    from cmcrameri import cm
-    from matplotlib.figure import Figure
     from matplotlib.ticker import PercentFormatter
 
     unit = document["options"]["unit"]
     compared = comparison.compared
     values, area = comparison.mean_abs[compared], comparison.area[compared]
     total = float(area.sum()) or 1.0
-    end = 1.5 * round_up(document["measures"]["p95"] or 0.0)
-    edges = np.linspace(0, end, 61)
+    limit = scale_end(comparison)
+    end = 1.25 * limit
+    edges = np.linspace(0, end, 51)
+    middle = (edges[1:] + edges[:-1]) / 2
     share = np.histogram(np.minimum(values, end), bins=edges, weights=area)[0] / total
+    beyond = float(area[values > end].sum()) / total
+    last = f"; last bar: {100 * beyond:.2g} % lie beyond" if beyond > 0 else ""
     with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(7.4, 2.3), dpi=160, layout="constrained")
-        axes = figure.add_subplot()
-        middle = (edges[1:] + edges[:-1]) / 2
-        colours = cm.lajolla_r(np.minimum(middle / (end / 1.5), 1.0))
-        axes.bar(middle, share, width=np.diff(edges), color=colours, edgecolor=INK, linewidth=0.3)
+        axes = figure.add_axes(_inches(figure, *place))
+        colour = colours(signed=False)(middle / limit)
+        axes.bar(middle, share, width=np.diff(edges), color=colour, edgecolor=INK, linewidth=0.3)
         for tolerance in comparison.options.tolerances:
             if tolerance < end:
                 axes.axvline(tolerance, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
@@ -147,13 +213,25 @@ def histogram(comparison: Comparison, document: Document) -> "Figure":
                     va="top",
                     fontsize=8,
                 )
-        beyond = float(area[values > end].sum()) / total
-        last = f" (last bar: {beyond:.2%} beyond)" if beyond > 0 else ""
-        axes.set(xlim=(0, end), xlabel=f"mean |z₁ − z₂| of each triangle ({unit}){last}")
+        axes.set(xlim=(0, end), xlabel=f"mean |z₁ − z₂| of each triangle ({unit}{last})")
         axes.set_ylabel("share of the area")
-        axes.yaxis.set_major_formatter(PercentFormatter(1.0, symbol="\u2009%"))
+        axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0, symbol="\u2009%"))
         axes.spines[["top", "right"]].set_visible(False)
-    return figure
+
+
+def _frame(comparison: Comparison) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return lower left and upper right of the map, with a small margin."""
+    nodes = comparison.united.nodes
+    low, high = nodes.min(axis=0), nodes.max(axis=0)
+    margin = 0.02 * (high - low).max()
+    return low - margin, high + margin
+
+
+def _inches(
+    figure: "Figure", left: float, bottom: float, width: float, height: float
+) -> tuple[float, float, float, float]:
+    across, up = figure.get_size_inches()
+    return left / across, bottom / up, width / across, height / up
 
 
 def save(figure: "Figure", stream: Any, kind: str, dpi: int = 160) -> None:
@@ -162,9 +240,7 @@ def save(figure: "Figure", stream: Any, kind: str, dpi: int = 160) -> None:
     figure.savefig(stream, format=kind, dpi=dpi, metadata=quiet)
 
 
-def _paint(
-    axes: "Axes", comparison: Comparison, values: NDArray[np.float64], **scale: Any
-) -> Any:
+def _paint(axes: "Axes", comparison: Comparison, values: NDArray[np.float64], **scale: Any) -> Any:
     """Paint each triangle in one colour, without the seams of antialiased polygons."""
     from matplotlib.tri import Triangulation
 
@@ -180,24 +256,20 @@ def _paint(
     )
 
 
-def _title(document: Document) -> str:
+def title(document: Document) -> str:
+    """Return the names of both files, shortened."""
     first, second = (short_name(one["file"]) for one in document["inputs"])
     return f"{first}  −  {second}"
 
 
 def short_name(file: str, limit: int = 40) -> str:
     """Return a file's name without its folders, its middle left out where it is long."""
-    name = file.replace("\\", "/").rsplit("/", 1)[-1]
+    name = base_name(file)
     if len(name) > limit:
         name = name[: limit // 2 - 1] + "…" + name[-limit // 2 :]
     return name.replace("$", r"\$")
 
 
 def _summary(document: Document) -> str:
-    measures, unit = document["measures"], document["options"]["unit"]
-    mean, p95 = (" ".join(with_unit(measures[key], 1, unit)) for key in ("mean_abs", "p95"))
-    parts = [f"mean |d| {mean}", f"95 % of the area below {p95}"]
-    for tolerance, share in list(measures["within_tolerance"].items())[-1:]:
-        value, per_cent = with_unit(share, None, unit)
-        parts.append(f"{value} {per_cent} within {tolerance} {unit}")
-    return "   ·   ".join(parts)
+    rows = key_figures(document)[:3]
+    return "   ·   ".join(f"{title}  {value} {unit}" for title, value, unit in rows)

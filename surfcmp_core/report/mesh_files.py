@@ -60,9 +60,7 @@ def write_vtp(comparison: Comparison, _document: Document, stream: BinaryIO) -> 
         )
 
     line('<?xml version="1.0"?>')
-    line(
-        '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">'
-    )
+    line('<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">')
     line("<PolyData>")
     line(f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}">')
     line('<PointData Scalars="z1">')

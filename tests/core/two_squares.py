@@ -1,6 +1,5 @@
 """A comparison small enough to be written by hand: two squares, five nodes, four triangles."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -41,7 +40,7 @@ def two_squares() -> Comparison:
     )
     return Comparison(
         surfaces=(surfaces[0], surfaces[1]),
-        grids=(replace(grids[0], merged=0), grids[1]),
+        grids=grids,
         triangulations=(
             _triangulation(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32)),
             _triangulation(middle, around),
@@ -96,7 +95,9 @@ def two_squares() -> Comparison:
 
 
 def _grid(nodes: np.ndarray, z: np.ndarray, name: str) -> Grid:
-    return Grid(nodes, z, np.arange(len(nodes)), None, 0, name)
+    keys = np.arange(len(nodes), dtype=np.uint64)
+    source = np.arange(len(nodes))
+    return Grid(nodes=nodes, z=z, source=source, faces=None, merged=0, keys=keys, name=name)
 
 
 def _triangulation(nodes: np.ndarray, triangles: np.ndarray) -> Triangulation:

@@ -1,0 +1,124 @@
+"""Where results go: every output is checked before the work and complete or absent after it."""
+
+import os
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import BinaryIO
+
+from surfcmp_core.comparison import Comparison
+from surfcmp_core.errors import SurfcmpError
+from surfcmp_core.report.data_files import write_csv, write_json, write_npz
+from surfcmp_core.report.document import Document, printable
+from surfcmp_core.report.mesh_files import write_ply, write_vtp
+from surfcmp_core.report.page import write_html
+from surfcmp_core.report.pictures import write_pdf, write_png
+
+Writer = Callable[[Comparison, Document, BinaryIO], None]
+
+WRITERS: dict[str, Writer] = {
+    ".json": write_json,
+    ".npz": write_npz,
+    ".csv": write_csv,
+    ".vtp": write_vtp,
+    ".ply": write_ply,
+    ".html": write_html,
+    ".pdf": write_pdf,
+    ".png": write_png,
+}
+"""The formats of results, by the ending of the file's name."""
+
+
+class OutputError(SurfcmpError):
+    """A result cannot be written; the message names the file and the fault."""
+
+
+def check_outputs(
+    paths: Iterable[Path], inputs: Iterable[Path], endings: Iterable[str] = tuple(WRITERS)
+) -> None:
+    """Find out before the work whether its results can be written.
+
+    Raises
+    ------
+    OutputError
+        Unknown ending, folder absent or not writable, file named twice, or one of the inputs.
+    """
+    known = tuple(endings)
+    used = {os.path.realpath(path) for path in inputs}
+    seen: set[str] = set()
+    for path in paths:
+        name, target = printable(path), os.path.realpath(path)
+        if path.suffix.lower() not in known:
+            raise OutputError(f"{name}: unknown ending; known are {' '.join(known)}")
+        if target in used or any(_same(target, other) for other in used):
+            raise OutputError(f"{name}: is an input and will not be overwritten")
+        if target in seen:
+            raise OutputError(f"{name}: named twice")
+        seen.add(target)
+        if os.path.isdir(target):
+            raise OutputError(f"{name}: is a folder")
+        if os.path.exists(target) and not os.access(target, os.W_OK):
+            raise OutputError(f"{name}: is read-only")
+        probe = _beside(target, 0)
+        try:
+            probe.open("xb").close()
+            probe.unlink()
+        except OSError as fault:
+            raise OutputError(f"{name}: {_reason(fault)}") from fault
+
+
+def write_outputs(comparison: Comparison, document: Document, paths: Iterable[Path]) -> None:
+    """Write a comparison to files; the endings say the formats.
+
+    Raises
+    ------
+    OutputError
+        A file cannot be written; then none of them has been touched.
+    """
+    write_all(
+        {
+            path: lambda stream, path=path: WRITERS[path.suffix.lower()](  # type: ignore[misc]
+                comparison, document, stream
+            )
+            for path in paths
+        }
+    )
+
+
+def write_all(contents: dict[Path, Callable[[BinaryIO], None]]) -> None:
+    """Write files beside their places, then move all there at once.
+
+    Raises
+    ------
+    OutputError
+        A file cannot be written; then none of them has been touched.
+    """
+    staged: list[tuple[Path, str]] = []
+    path = Path()
+    try:
+        for path, write in contents.items():
+            target = os.path.realpath(path)
+            temporary = _beside(target, len(staged))
+            staged.append((temporary, target))
+            with temporary.open("xb") as stream:
+                write(stream)
+        for temporary, target in staged:
+            os.replace(temporary, target)
+    except OSError as fault:
+        raise OutputError(f"{printable(path)}: {_reason(fault)}") from fault
+    finally:
+        for temporary, _target in staged:
+            temporary.unlink(missing_ok=True)
+
+
+def _beside(target: str, number: int) -> Path:
+    return Path(target).parent / f".surfcmp-{os.getpid()}-{number}.part"
+
+
+def _same(one: str, other: str) -> bool:
+    return os.path.exists(one) and os.path.exists(other) and os.path.samefile(one, other)
+
+
+def _reason(fault: OSError) -> str:
+    if isinstance(fault, FileNotFoundError | NotADirectoryError):
+        return "its folder does not exist"
+    return f"cannot be written ({fault.strerror or fault})"
