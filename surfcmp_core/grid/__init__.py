@@ -2,5 +2,6 @@
 
 from surfcmp_core.grid.grid import Duplicates, Grid, box_of, grid_of
 from surfcmp_core.grid.scaling import safe_scale
+from surfcmp_core.grid.shared import shared_nodes
 
-__all__ = ["Duplicates", "Grid", "box_of", "grid_of", "safe_scale"]
+__all__ = ["Duplicates", "Grid", "box_of", "grid_of", "safe_scale", "shared_nodes"]

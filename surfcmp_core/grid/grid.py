@@ -31,6 +31,8 @@ class Grid:
         The model's own triangles in node numbers, as the file turns them; None for a cloud.
     merged : int
         Nodes of the surface merged into another one of equal (x, y).
+    keys : (n,) uint64
+        Place along the curve, ascending; nodes of one key stand in lexicographic order.
     name : str
         How messages call the surface.
     """
@@ -40,6 +42,7 @@ class Grid:
     source: NDArray[np.int64]
     faces: NDArray[np.int32] | None
     merged: int
+    keys: NDArray[np.uint64]
     name: str
 
 
@@ -131,7 +134,7 @@ def grid_of(
             np.arange(len(starts), dtype=np.int32), np.diff(np.append(starts, len(nodes)))
         )
         faces = number[surface.faces]
-    return Grid(nodes[source], values, source, faces, merged, surface.name)
+    return Grid(nodes[source], values, source, faces, merged, keys[source], surface.name)
 
 
 def box_of(*surfaces: Surface) -> tuple[float, float, float, float]:

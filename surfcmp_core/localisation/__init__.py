@@ -1,0 +1,5 @@
+"""Localisation of one grid in the triangulation of the other."""
+
+from surfcmp_core.localisation.localisation import locate_along_tree, locate_from
+
+__all__ = ["locate_along_tree", "locate_from"]

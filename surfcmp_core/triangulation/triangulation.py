@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation.half_edges import half_edges
 from surfcmp_core.triangulation.lawson import is_triangulation, make_delaunay
 
@@ -46,11 +47,11 @@ def _delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
 
 
 def _slow_delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
+    from pythoncdt import IntersectingConstraintEdges, VertexInsertionOrder
     from pythoncdt import Triangulation as Builder
-    from pythoncdt import V2d
 
-    builder = Builder()
-    builder.insert_vertices([V2d(float(x), float(y)) for x, y in nodes])
+    builder = Builder(VertexInsertionOrder.AUTO, IntersectingConstraintEdges.NOT_ALLOWED, 0.0)
+    builder.insert_vertices(nodes)
     builder.erase_super_triangle()
     return np.array([triangle.vertices for triangle in builder.triangles], np.int32)
 
@@ -94,7 +95,7 @@ def triangulate(
     Raises
     ------
     InputError
-        Where all nodes are collinear.
+        Where all nodes are collinear, or no library gives a valid triangulation.
 
     References
     ----------
@@ -104,8 +105,28 @@ def triangulate(
         found = _checked(nodes, model)
         if found is not None:
             return found
+    if is_flat(nodes):
+        raise InputError(f"{name}: all nodes lie on one line in the plane")
     for builder in (_delaunay, _slow_delaunay):
         found = _checked(nodes, builder(nodes))
         if found is not None:
             return found
-    raise InputError(f"{name}: all nodes are collinear")
+    raise InputError(f"{name}: no library triangulates these nodes correctly")
+
+
+def is_flat(nodes: NDArray[np.float64]) -> bool:
+    """Whether nodes cannot be triangulated: fewer than three, or all on one line.
+
+    Parameters
+    ----------
+    nodes : (n, 2) float64
+        Distinct.
+
+    Returns
+    -------
+    bool
+    """
+    if len(nodes) < 3:
+        return True
+    (ax, ay), (bx, by) = nodes[0], nodes[1]
+    return all(orientation(ax, ay, bx, by, x, y) == 0.0 for x, y in nodes[2:])
