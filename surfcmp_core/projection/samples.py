@@ -1,0 +1,90 @@
+"""A mesh as a few thousand small flat pieces, to judge views of it quickly."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.surface import Surface
+
+_WANTED = 16_000
+"""Pieces of a mesh: enough for a tenth of a degree, few enough for a millisecond a view."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Samples:
+    """Flat pieces of a mesh.
+
+    Attributes
+    ----------
+    places : (k, 3) float64
+        Centres, measured from the mesh's centre of area.
+    normals : (k, 3) float64
+        Unit, outward by the right-hand rule.
+    areas : (k,) float64
+        As shares of the whole.
+    hull : (f, 3) float64
+        Vector areas of the facets of the convex hull, in the same shares; empty for flat meshes.
+    """
+
+    places: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    areas: NDArray[np.float64]
+    hull: NDArray[np.float64]
+
+    @property
+    def openness(self) -> float:
+        """Length of the vector area over the area: 0 for a closed mesh, 1 for a flat one."""
+        return float(np.linalg.norm(self.areas @ self.normals))
+
+
+def samples_of(surface: Surface) -> Samples | None:
+    """Cut a mesh into pieces: every k-th triangle of a fine mesh, parts of those of a coarse one.
+
+    Parameters
+    ----------
+    surface : Surface
+
+    Returns
+    -------
+    Samples or None
+        None for a cloud, and for a mesh without area.
+    """
+    if surface.faces is None or not len(surface.faces):
+        return None
+    faces = surface.faces[:: max(1, len(surface.faces) // _WANTED)]
+    corners = surface.points[faces] - surface.points.mean(axis=0)
+    vector = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    double = np.linalg.norm(vector, axis=1)
+    real = double > 0.0
+    if not real.any():
+        return None
+    corners, vector, double = corners[real], vector[real], double[real]
+    centres = _centres(max(1, round(np.sqrt(_WANTED / len(double)))))
+    places = np.einsum("kc,mcx->mkx", centres, corners).reshape(-1, 3)
+    areas = np.repeat(double, len(centres)) / (double.sum() * len(centres))
+    normals = np.repeat(vector / double[:, None], len(centres), axis=0)
+    return Samples(places - areas @ places, normals, areas, _hull(places) / (double.sum() / 2.0))
+
+
+def _hull(places: NDArray[np.float64]) -> NDArray[np.float64]:
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        hull = ConvexHull(places)
+    except QhullError:
+        return np.zeros((0, 3))
+    corners = places[hull.simplices]
+    return np.asarray(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2.0)
+
+
+def _centres(parts: int) -> NDArray[np.float64]:
+    """Give barycentric centres of the parts² equal triangles that one is cut into."""
+    rows = []
+    for i in range(parts):
+        for j in range(parts - i):
+            rows.append((3 * i + 1, 3 * j + 1))
+            if i + j < parts - 1:
+                rows.append((3 * i + 2, 3 * j + 2))
+    ij = np.array(rows, np.float64) / (3 * parts)
+    return np.column_stack((ij, 1.0 - ij.sum(axis=1)))
