@@ -1,0 +1,79 @@
+"""Read .npy and .npz, without pickles and without believing a header's size."""
+
+import json
+import zipfile
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+from numpy.lib import format as npy
+from numpy.typing import NDArray
+
+from surfcmp_core.errors import InputError
+from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.units import unit_named
+
+
+def read_npy(data: bytes) -> Raw:
+    """Nodes of an (n, 3) array."""
+    return Raw(_points(_array(data, "the array")))
+
+
+def read_npz(data: bytes) -> Raw:
+    """`points` (n, 3), optionally `faces` (m, 3), and a unit in `unit` or in the JSON of `meta`."""
+    try:
+        archive = zipfile.ZipFile(BytesIO(data))
+    except zipfile.BadZipFile:
+        raise InputError("not an .npz archive") from None
+    with archive:
+        arrays = {name.removesuffix(".npy"): name for name in archive.namelist()}
+        if "points" not in arrays:
+            raise InputError(f"it holds no 'points', only {', '.join(arrays)[:80] or 'nothing'}")
+        found = {
+            key: _array(archive.read(arrays[key]), key)
+            for key in ("points", "faces", "unit", "meta")
+            if key in arrays
+        }
+    polygons = []
+    if (faces := found.get("faces")) is not None:
+        if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
+            raise InputError(f"faces must be (m, 3) whole numbers, not {_describe(faces)}")
+        polygons = [faces.astype(np.int64)]
+    return Raw(_points(found["points"]), polygons, unit=_unit(found))
+
+
+def _array(data: bytes, key: str) -> NDArray[Any]:
+    """Do what `numpy.load` does, after comparing the size declared with the size there."""
+    stream = BytesIO(data)
+    version = npy.read_magic(stream)
+    header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+    shape, by_columns, dtype = header(stream)
+    if dtype.hasobject:
+        raise InputError(f"{key} holds pickled objects, which are not read")
+    count = 1
+    for length in shape:
+        count *= length
+    if count < 0 or count * dtype.itemsize > len(data) - stream.tell():
+        raise InputError(f"{key} declares the shape {shape}, more than the file has room for")
+    values = np.frombuffer(data, dtype, count, stream.tell())
+    return values.reshape(shape, order="F" if by_columns else "C")
+
+
+def _points(array: NDArray[Any]) -> NDArray[np.float64]:
+    if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "fiu":
+        raise InputError(f"points must be (n, 3) numbers, not {_describe(array)}")
+    return array.astype(np.float64)
+
+
+def _describe(array: NDArray[Any]) -> str:
+    return f"{array.shape} {array.dtype}"
+
+
+def _unit(found: dict[str, NDArray[Any]]) -> str | None:
+    if "unit" in found:
+        return unit_named(str(found["unit"]))
+    try:
+        meta = json.loads(str(found["meta"]))
+        return unit_named(str(meta.get("unit", meta.get("units", ""))))
+    except (KeyError, ValueError, AttributeError):
+        return None

@@ -1,0 +1,56 @@
+"""Read .xyz, .txt and .csv: three or more columns of text."""
+
+import numpy as np
+
+from surfcmp_core.errors import InputError
+from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.text import decode, filled_lines, load, quoted
+
+
+def read_columns(data: bytes) -> Raw:
+    """Nodes of a table separated by white space, commas or semicolons.
+
+    Its first three columns, or those that its header names x, y and z. Lines that begin with ``#``,
+    ``//`` or ``%``, one header and one count of rows may stand ahead of the numbers.
+    """
+    text = decode(data)
+    comments: list[str] = []
+    header: list[str] = []
+    declared: int | None = None
+    rows = filled_lines(text)
+    for first, row in enumerate(rows):
+        delimiter = ";" if ";" in row else "," if "," in row else None
+        fields = [field.strip(' \t"') for field in row.strip().split(delimiter)]
+        if row.lstrip().startswith(("//", "%")):
+            comments.append(row)
+        elif len(fields) == 1 and fields[0].isdecimal() and declared is None:
+            declared = int(fields[0][:18])
+        elif not header and not _is_number(fields[0]):
+            header = [field.lower() for field in fields]
+        else:
+            break
+    else:
+        raise InputError("it holds no rows of numbers")
+
+    rows = rows[first:]
+    width = len(fields)
+    if width < 3:
+        raise InputError(f"three columns or more expected, {width} in the row {quoted(rows[0])}")
+    if declared not in (None, len(rows)):
+        raise InputError(f"{declared} rows declared, {len(rows)} found")
+    named = len(header) == width and {"x", "y", "z"} <= set(header)
+    wanted = [header.index(axis) for axis in "xyz"] if named else [0, 1, 2]
+    dtype = np.dtype([(f"{i}", "f8" if i in wanted else "U1") for i in range(width)])
+    expected = f"{width} columns, x, y and z numbers, expected"
+    columns = load(rows, dtype, expected, delimiter=delimiter, quotechar='"', ndmin=1)
+    points = np.stack([columns[f"{i}"] for i in wanted], axis=1)
+    comments += [line for line in text[:2000].split("\n") if line.lstrip().startswith("#")]
+    return Raw(points, comments=tuple(comments))
+
+
+def _is_number(field: str) -> bool:
+    try:
+        float(field)
+    except ValueError:
+        return False
+    return True

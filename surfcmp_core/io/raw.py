@@ -1,0 +1,21 @@
+"""What a reader of one format hands over, before it is believed."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Raw:
+    """Nodes and polygons as a file holds them: neither finite nor in range for sure."""
+
+    points: NDArray[np.float64]
+    """(n, 3) x, y, z."""
+    polygons: list[NDArray[np.int64]] = field(default_factory=list)
+    """Polygons grouped by size: each (k, c) node numbers, k polygons of c corners."""
+    comments: tuple[str, ...] = ()
+    """Lines of comment, which may state the unit."""
+    unit: str | None = None
+    """Unit stated otherwise; the coordinates are then left in it."""
+    dropped: dict[str, int] = field(default_factory=dict)

@@ -1,0 +1,75 @@
+"""Text as readers need it: decoded lines, and tables of numbers in them."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from surfcmp_core.errors import InputError
+
+
+def decode(data: bytes) -> str:
+    r"""Text of a file with or without a byte-order mark, its lines ended by ``\n``."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        text = data.decode("utf-16", "replace")
+    else:
+        text = data.decode("utf-8-sig", "replace")
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def filled_lines(text: str) -> list[str]:
+    """Lines that are neither blank nor, as a whole, a comment after ``#``."""
+    return [line for line in text.split("\n") if (start := line.lstrip()) and start[0] != "#"]
+
+
+def table[T: np.generic](rows: Sequence[str], columns: Sequence[int], dtype: type[T]) -> NDArray[T]:
+    """Numbers in the given columns of rows separated by white space.
+
+    Parameters
+    ----------
+    rows : sequence of str
+        None of them blank.
+    columns : sequence of int
+        Which columns, counted from 0; there may be more.
+    dtype : type
+        `numpy.float64`, rounded as exactly as Python does, or `numpy.int64`.
+
+    Returns
+    -------
+    (n, len(columns)) array of `dtype`
+
+    Raises
+    ------
+    InputError
+        Where a row is shorter or holds something else; it quotes the row.
+    """
+    if not rows or not columns:
+        return np.empty((len(rows), len(columns)), dtype)
+    kind = "whole numbers" if dtype is np.int64 else "numbers"
+    return load(rows, dtype, f"{len(columns)} {kind} expected", usecols=columns, ndmin=2)
+
+
+def load(rows: Sequence[str], dtype: DTypeLike, expected: str, **options: Any) -> NDArray[Any]:
+    """`numpy.loadtxt`, with an error that quotes the first row it cannot read."""
+
+    def attempt(first: int, last: int) -> NDArray[Any]:
+        return np.loadtxt(rows[first:last], dtype, comments=None, **options)
+
+    first, last = 0, len(rows)
+    try:
+        return attempt(first, last)
+    except ValueError:
+        while last - first > 1:  # the first bad row is in rows[first:last]
+            middle = (first + last) // 2
+            try:
+                attempt(first, middle)
+                first = middle
+            except ValueError:
+                last = middle
+    raise InputError(f"{expected} in the row {quoted(rows[first])}")
+
+
+def quoted(text: str) -> str:
+    """Quote at most 40 characters on one line."""
+    return repr(text if len(text) <= 40 else text[:37] + "...")

@@ -1,0 +1,136 @@
+"""Read .vtp, VTK's PolyData in XML: text, base64 and appended arrays, compressed or not."""
+
+import lzma
+import re
+import zlib
+from base64 import b64decode
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.errors import InputError
+from surfcmp_core.io.polygons import Polygons, from_ranges, from_strips
+from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.text import quoted
+
+_TYPES = {
+    "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
+    "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8",
+}  # fmt: skip
+_INFLATE = {
+    "vtkZLibDataCompressor": lambda block, size: zlib.decompressobj().decompress(block, size),
+    "vtkLZMADataCompressor": lambda block, size: lzma.LZMADecompressor().decompress(block, size),
+}
+
+
+def read_vtp(data: bytes) -> Raw:
+    """Nodes, polygons and strips of all pieces; all else is ignored."""
+    xml, appended, is_base64 = data, b"", False
+    if start := re.search(rb"<AppendedData([^>]*)>\s*_", data):
+        xml = data[: start.start()] + b"</VTKFile>"
+        is_base64 = b"base64" in start[1]
+        appended = data[start.end() :]
+    if b"<!DOCTYPE" in xml:
+        raise InputError("it declares a document type, which is not read")
+    try:
+        root = ElementTree.fromstring(xml)
+    except ElementTree.ParseError as error:
+        raise InputError(f"its XML is damaged: {error}") from None
+    if root.tag != "VTKFile" or root.get("type") != "PolyData":
+        raise InputError(f"it holds {quoted(root.get('type', root.tag))}, not PolyData")
+    compressor = root.get("compressor")
+    if compressor and compressor not in _INFLATE:
+        raise InputError(f"it is compressed by {quoted(compressor)}, which is not read")
+    order = ">" if root.get("byte_order") == "BigEndian" else "<"
+    length = np.dtype(_TYPES[root.get("header_type", "UInt32")]).newbyteorder(order)
+    arrays = _Arrays(appended, is_base64, order, length, compressor)
+
+    points = [np.empty((0, 3))]
+    polygons: Polygons = []
+    for piece in root.iter("Piece"):
+        found = piece.find("Points/DataArray")
+        if found is None:
+            continue
+        before = sum(map(len, points))
+        points.append(arrays.read(found).astype(np.float64).reshape(-1, 3))
+        declared = piece.get("NumberOfPoints")
+        if declared != f"{len(points[-1])}":
+            raise InputError(f"{declared} points declared, {len(points[-1])} found")
+        polygons += [group + before for group in _polygons(piece, "Polys", arrays)]
+        strips = from_strips(_polygons(piece, "Strips", arrays))
+        polygons += [group + before for group in strips]
+    return Raw(np.concatenate(points), polygons)
+
+
+def _polygons(piece: ElementTree.Element, kind: str, arrays: "_Arrays") -> Polygons:
+    corners = piece.find(f"{kind}/DataArray[@Name='connectivity']")
+    offsets = piece.find(f"{kind}/DataArray[@Name='offsets']")
+    if corners is None or offsets is None:
+        return []
+    ends = arrays.read(offsets).astype(np.int64)
+    if piece.get(f"NumberOf{kind}", f"{len(ends)}") != f"{len(ends)}":
+        raise InputError(f"{piece.get(f'NumberOf{kind}')} {kind} declared, {len(ends)} found")
+    return from_ranges(arrays.read(corners).astype(np.int64), np.r_[0, ends][:-1], ends)
+
+
+@dataclass(frozen=True, slots=True)
+class _Arrays:
+    """Decodes the numbers of DataArray elements."""
+
+    appended: bytes
+    is_base64: bool
+    """Whether the appended data are."""
+    order: str
+    length: np.dtype[np.integer]
+    """Type of the byte counts ahead of each array."""
+    compressor: str | None
+
+    def read(self, element: ElementTree.Element) -> NDArray[np.generic]:
+        kind = np.dtype(_TYPES[element.get("type", "")]).newbyteorder(self.order)
+        match element.get("format", "ascii"):
+            case "ascii":
+                words = (element.text or "").split()
+                if kind.kind == "f":
+                    return np.fromiter(map(float, words), np.float64, len(words))
+                return np.fromiter(map(int, words), np.int64, len(words))
+            case "binary":
+                octets = self._unpack("".join((element.text or "").split()).encode(), True)
+            case _:
+                at = int(element.get("offset", ""))
+                if not 0 <= at <= len(self.appended):
+                    raise InputError(f"an array is said to stand at {at}, beyond the file's end")
+                octets = self._unpack(self.appended[at:], self.is_base64)
+        return np.frombuffer(octets, kind)
+
+    def _unpack(self, blob: bytes, is_base64: bool) -> bytes:
+        """Octets of one array out of the blob that begins with its byte counts."""
+
+        def take(at: int, size: int) -> tuple[bytes, int]:
+            """`size` octets that were encoded from `at` on, and where the encoding ends."""
+            end = at + (-(-size // 3) * 4 if is_base64 else size)
+            if end > len(blob):
+                raise InputError("an array reaches beyond the file's end")
+            return (b64decode(blob[at:end])[:size] if is_base64 else blob[at:end]), end
+
+        wide = self.length.itemsize
+        head, after = take(0, wide)
+        first = int(np.frombuffer(head, self.length)[0])
+        if self.compressor is None:
+            if is_base64 and b"=" not in blob[:after]:  # count and data encoded as one
+                return take(0, wide + first)[0][wide:]
+            return take(after, first)[0]
+        if first == 0:
+            return b""
+        head, at = take(0, (3 + first) * wide)
+        _, whole, last, *packed = np.frombuffer(head, self.length).tolist()
+        blocks, _ = take(at, sum(packed))
+        octets, at = [], 0
+        for i, size in enumerate(packed):
+            full = last if last and i == len(packed) - 1 else whole
+            octets.append(_INFLATE[self.compressor](blocks[at : at + size], full))
+            if len(octets[-1]) != full:
+                raise InputError("a compressed array is damaged")
+            at += size
+        return b"".join(octets)
