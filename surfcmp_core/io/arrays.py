@@ -29,7 +29,7 @@ def read_npz(data: bytes) -> Raw:
         arrays = {name.removesuffix(".npy"): name for name in archive.namelist()}
         if "points" not in arrays:
             raise InputError(f"it holds no 'points', only {', '.join(arrays)[:80] or 'nothing'}")
-        found = {
+        found: dict[str, NDArray[Any]] = {
             key: _array(archive.read(arrays[key]), key)
             for key in ("points", "faces", "unit", "meta")
             if key in arrays

@@ -18,7 +18,7 @@ def read_columns(data: bytes) -> Raw:
     header: list[str] = []
     declared: int | None = None
     rows = filled_lines(text)
-    for first, row in enumerate(rows):
+    for row in rows:
         delimiter = ";" if ";" in row else "," if "," in row else None
         fields = [field.strip(' \t"') for field in row.strip().split(delimiter)]
         if row.lstrip().startswith(("//", "%")):
@@ -32,7 +32,7 @@ def read_columns(data: bytes) -> Raw:
     else:
         raise InputError("it holds no rows of numbers")
 
-    rows = rows[first:]
+    rows = rows[rows.index(row) :]
     width = len(fields)
     if width < 3:
         raise InputError(f"three columns or more expected, {width} in the row {quoted(rows[0])}")

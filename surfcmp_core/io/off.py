@@ -24,7 +24,7 @@ def read_off(data: bytes) -> Raw:
     if not 2 <= len(counts) <= 3 or not all(one.isdecimal() and len(one) < 19 for one in counts):
         raise InputError(f"its counts are unreadable: {quoted(rows[0] if rows else '')}")
     nodes, faces = int(counts[0]), int(counts[1])
-    if nodes + faces > len(rows) - 1:
+    if nodes + faces != len(rows) - 1:
         raise InputError(f"{nodes} nodes and {faces} faces declared, {len(rows) - 1} lines found")
     points = table(rows[1 : 1 + nodes], range(3), np.float64)
     return Raw(points, from_rows(rows[1 + nodes : 1 + nodes + faces]), comments)

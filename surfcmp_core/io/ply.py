@@ -109,6 +109,8 @@ def _read_text(
             points = table(block, wanted, np.float64)
         elif wanted:
             polygons = from_rows(block, skip=wanted[0])
+    if at < len(rows):
+        raise InputError(f"its header declares {at} lines of data, {len(rows)} found")
     return points, polygons
 
 
@@ -128,6 +130,8 @@ def _read_binary(
                     points[rows, axis] = records[f"{i}"]
         elif wanted:
             polygons = [records[f"{wanted[0]}"].astype(np.int64) for _, records in groups]
+    if data[at:].strip(b"\0\r\n "):
+        raise InputError(f"{len(data) - at} bytes found after all that its header declares")
     return points, polygons
 
 
@@ -137,7 +141,7 @@ _Rows = slice | list[int]
 def _records(
     data: bytes, at: int, element: _Element, order: str
 ) -> tuple[list[tuple[_Rows, NDArray[np.void]]], int]:
-    """Records of an element grouped by the lengths of their lists, and where they end."""
+    """Group an element's records by the lengths of their lists; also where they end."""
     smallest = sum(np.dtype(one.length or one.type).itemsize for one in element.properties)
     if element.count * smallest > len(data) - at:
         raise InputError(

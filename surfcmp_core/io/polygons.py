@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.io.text import table
+from surfcmp_core.io.text import quoted, table
 
 Polygons = list[NDArray[np.int64]]
 """Grouped by size: each (k, c) node numbers, k polygons of c corners."""
@@ -51,8 +51,8 @@ def from_rows(rows: Sequence[str], skip: int = 0) -> Polygons:
         groups[columns[skip] if len(columns) > skip else ""].append(row)
     polygons = []
     for size, group in groups.items():
-        if not size.isdecimal() or int(size) > max(map(len, group)):
-            raise InputError(f"a polygon of {size[:20]!r} corners")
+        if not (size.isascii() and size.isdecimal()) or int(size[:18]) > len(group[0]):
+            raise InputError(f"a polygon expected in the row {quoted(group[0])}")
         polygons.append(table(group, range(skip + 1, skip + 1 + int(size)), np.int64))
     return polygons
 

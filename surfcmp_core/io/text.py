@@ -20,7 +20,12 @@ def decode(data: bytes) -> str:
 
 def filled_lines(text: str) -> list[str]:
     """Lines that are neither blank nor, as a whole, a comment after ``#``."""
-    return [line for line in text.split("\n") if (start := line.lstrip()) and start[0] != "#"]
+    return [
+        line
+        for line in text.split("\n")
+        # most lines begin with a digit or a sign, which stand after "#": the short way
+        if line and (line[0] > "#" or ((start := line.lstrip()) and start[0] != "#"))
+    ]
 
 
 def table[T: np.generic](rows: Sequence[str], columns: Sequence[int], dtype: type[T]) -> NDArray[T]:

@@ -50,7 +50,7 @@ def read_vtk(data: bytes) -> Raw:
                 file.skip_arrays(_count(count))
             case _:
                 raise InputError(f"not understood: {quoted(' '.join(words))}")
-    dropped = {}
+    dropped: dict[str, int] = {}
     if cells:
         corners, starts, ends = cells
         if len(types) != len(starts):

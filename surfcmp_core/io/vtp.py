@@ -44,7 +44,7 @@ def read_vtp(data: bytes) -> Raw:
     if compressor and compressor not in _INFLATE:
         raise InputError(f"it is compressed by {quoted(compressor)}, which is not read")
     order = ">" if root.get("byte_order") == "BigEndian" else "<"
-    length = np.dtype(_TYPES[root.get("header_type", "UInt32")]).newbyteorder(order)
+    length = np.dtype(order + _TYPES[root.get("header_type", "UInt32")])
     arrays = _Arrays(appended, is_base64, order, length, compressor)
 
     points = [np.empty((0, 3))]
@@ -88,7 +88,7 @@ class _Arrays:
     compressor: str | None
 
     def read(self, element: ElementTree.Element) -> NDArray[np.generic]:
-        kind = np.dtype(_TYPES[element.get("type", "")]).newbyteorder(self.order)
+        kind = np.dtype(self.order + _TYPES[element.get("type", "")])
         match element.get("format", "ascii"):
             case "ascii":
                 words = (element.text or "").split()
