@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.domain import Reason
 from surfcmp_core.grid import Duplicates, Grid
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
@@ -17,20 +17,6 @@ from surfcmp_core.united import United
 Domain = Literal["data", "hull", "plane"]
 Weight = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]]
 """µ(x, y), sampled at the nodes of T and linear on each of its triangles."""
-
-
-class Reason(IntEnum):
-    """Why a triangle of T is compared or not."""
-
-    COMPARED = 0
-    OUTSIDE_1 = 1
-    """Outside surface 1."""
-    OUTSIDE_2 = 2
-    """Outside surface 2."""
-    HOLE = 3
-    """Inside both hulls, but one surface has a hole there."""
-    DEGENERATE = 4
-    """Its area rounds to nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +60,12 @@ class Comparison:
     measures: Measures
     options: Options
     transform: NDArray[np.float64]
-    """(4, 4) the motion from the files' coordinates to the comparison's (z along the view)."""
+    """(4, 4) the motion of surface 2 from its file's coordinates into the comparison's: first the
+    alignment, then `frame`."""
     max_edges: tuple[float, float]
     """The `max_edge` used for each surface; inf for meshes and where there is no limit."""
+    frame: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
+    """(4, 4) the motion of both surfaces into the plane of comparison, z along the view."""
     seconds: dict[str, float] = field(default_factory=dict)
     """Wall time of read, triangulate, spanning_trees, locate, interpolate, interface, measures,
     total."""

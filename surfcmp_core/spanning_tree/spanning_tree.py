@@ -221,3 +221,20 @@ def spanning_tree(triangulation: Triangulation) -> NDArray[np.int32]:
     found = _join(triangulation.nodes, start, edges[:count].copy(), squares[:count].copy(), tree)
     assert found == len(tree), "a triangulation is connected"
     return tree
+
+
+def tree_ends(triangulation: Triangulation, tree: NDArray[np.int32]) -> NDArray[np.int32]:
+    """Give the nodes at either end of a tree's edges.
+
+    Parameters
+    ----------
+    triangulation : Triangulation
+    tree : (n - 1,) int32
+        Half-edges.
+
+    Returns
+    -------
+    (n - 1, 2) int32
+    """
+    onward = np.where(tree % 3 == 2, tree - 2, tree + 1)
+    return np.stack((triangulation.start[tree], triangulation.start[onward]), axis=1)

@@ -134,3 +134,29 @@ def half_edges(
     start = np.concatenate((ordered.reshape(-1), np.empty(3 * border, np.int32)))
     twin = np.concatenate((twin, np.empty(3 * border, np.int32)))
     return (start, twin) if _add_ghosts(start, twin, real, count) else None
+
+
+@kernel
+def _leaving(start: NDArray[np.int32], leaving: NDArray[np.int32]) -> None:
+    for h in range(start.size - 1, -1, -1):
+        if start[h] >= 0:
+            leaving[start[h]] = h
+
+
+def leaving_edges(start: NDArray[np.int32], count: int) -> NDArray[np.int32]:
+    """Give one half-edge that leaves each node, the first one, which belongs to a real triangle.
+
+    Parameters
+    ----------
+    start : int32
+        Half-edges.
+    count : int
+        Number of nodes.
+
+    Returns
+    -------
+    (count,) int32
+    """
+    leaving = np.empty(count, np.int32)
+    _leaving(start, leaving)
+    return leaving

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.interface import Chains, Joined, extract_chains, join
 from surfcmp_core.kernel import kernel
-from surfcmp_core.spanning_tree import spanning_tree
+from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, is_flat, triangulate
 from surfcmp_core.triangulation.half_edges import following, half_edges
 from surfcmp_core.united.follow import follow_chains
@@ -137,13 +137,6 @@ def _merge_shared(
     return triangulate(nodes).triangles
 
 
-def _ends(
-    triangulation: Triangulation, tree: NDArray[np.int32], number: NDArray[np.int32]
-) -> NDArray[np.int32]:
-    onward = np.where(tree % 3 == 2, tree - 2, tree + 1)
-    return number[np.stack((triangulation.start[tree], triangulation.start[onward]), axis=1)]
-
-
 def unite(
     first: Triangulation,
     second: Triangulation,
@@ -212,6 +205,6 @@ def unite(
         a & b & c,
         chain,
         closed,
-        _ends(first, tree_1, node_1),
-        _ends(second, tree_2, node_2),
+        tree_ends(first, tree_1),
+        node_2[tree_ends(second, tree_2)],
     )

@@ -1,0 +1,6 @@
+"""Where there is something to compare: footprints of surfaces, and which triangles count."""
+
+from surfcmp_core.domain.compared import Reason, reasons
+from surfcmp_core.domain.footprint import Footprint, footprint_of_cloud, footprint_of_mesh
+
+__all__ = ["Footprint", "Reason", "footprint_of_cloud", "footprint_of_mesh", "reasons"]
