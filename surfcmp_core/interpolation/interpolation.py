@@ -25,13 +25,13 @@ def _in_triangle(
     at_c = max(ax * by - ay * bx, 0.0)
     total = at_a + at_b + at_c
     if total == 0.0:  # p on a sliver whose area rounds to nothing
-        return (z[a] + z[b] + z[c]) / 3.0
+        return float(z[a] + z[b] + z[c]) / 3.0
     # relative to the heaviest node, so that a constant stays that constant
     if at_a >= at_b and at_a >= at_c:
-        return z[a] + (at_b * (z[b] - z[a]) + at_c * (z[c] - z[a])) / total
+        return float(z[a] + (at_b * (z[b] - z[a]) + at_c * (z[c] - z[a])) / total)
     if at_b >= at_c:
-        return z[b] + (at_a * (z[a] - z[b]) + at_c * (z[c] - z[b])) / total
-    return z[c] + (at_a * (z[a] - z[c]) + at_b * (z[b] - z[c])) / total
+        return float(z[b] + (at_a * (z[a] - z[b]) + at_c * (z[c] - z[b])) / total)
+    return float(z[c] + (at_a * (z[a] - z[c]) + at_b * (z[b] - z[c])) / total)
 
 
 @kernel
@@ -53,16 +53,16 @@ def _on_hull(
         along = ((px - nodes[a, 0]) * dx + (py - nodes[a, 1]) * dy) / (dx * dx + dy * dy)
         if along < 0.0:
             if came > 0:
-                return z[a]
+                return float(z[a])
             came = -1
             h = twin[h + 2] - 1
         elif along > 1.0:
             if came < 0:
-                return z[b]
+                return float(z[b])
             came = 1
             h = twin[h + 1] - 2
         else:
-            return z[a] + along * (z[b] - z[a])
+            return float(z[a] + along * (z[b] - z[a]))
 
 
 @kernel

@@ -10,7 +10,8 @@ from surfcmp_core.io.text import decode, quoted
 
 _TYPES = {
     "char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2", "int": "i4",
-    "unsigned_int": "u4", "long": "i8", "unsigned_long": "u8", "vtkidtype": "i8",
+    "unsigned_int": "u4", "long": "i8", "unsigned_long": "u8", "vtkidtype": "i4",  # as the legacy format stores it
+   
     "vtktypeint32": "i4", "vtktypeint64": "i8", "float": "f4", "double": "f8",
 }  # fmt: skip
 _POINT_CELLS, _STRIP, _PIXEL = (1, 2, 3, 4), 6, 8

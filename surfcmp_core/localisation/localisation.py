@@ -26,7 +26,7 @@ def _walk_to(
     entry = -1
     h = 3 * triangle
     if start[h + 2] < 0:
-        h = twin[h] - twin[h] % 3
+        h = int(twin[h]) - int(twin[h]) % 3
     while True:
         onward = -1
         for k in range(h, h + 3):
@@ -37,7 +37,7 @@ def _walk_to(
                     break
         if onward < 0:
             return h // 3
-        entry = twin[onward]
+        entry = int(twin[onward])
         h = entry - entry % 3
         if start[h + 2] < 0:
             return h // 3

@@ -104,6 +104,4 @@ def area_percentiles(
         return value_at(area - before, keys, areas, _bin(keys, areas, unit, bits))
 
     total = whole.cumulated[-1]
-    return [
-        value_at(max(1, -(-percent * total // 100)), keys, areas, whole) for percent in percents
-    ]
+    return [value_at(-(-percent * total // 100), keys, areas, whole) for percent in percents]

@@ -44,10 +44,10 @@ def unit_of(comparison: Comparison) -> str:
     return comparison.surfaces[0].unit or comparison.surfaces[1].unit or "mm"
 
 
-def printable(name: str | Path) -> str:
-    """Return a file's name as text that can be written anywhere, on one line."""
-    text = os.fsencode(name).decode("utf-8", "replace")
-    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+def one_line(text: str | Path) -> str:
+    """Return a file's name, or a message about it, as one line that can be written anywhere."""
+    decoded = os.fsencode(text).decode("utf-8", "replace")
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in decoded)
 
 
 def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None) -> Document:
@@ -68,7 +68,7 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
     """
     options = comparison.options
     limit = options.max_edge
-    return _strict(
+    document: Document = _strict(
         {
             "schema": 1,
             "program": program(),
@@ -92,16 +92,16 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
             "warnings": list(comparison.warnings),
         }
     )
+    return document
 
 
 def _input(surface: Surface, grid: Grid) -> Document:
-    """Nodes in = nodes used + nodes dropped, by reason."""
     dropped = {**surface.dropped, **({"merged": grid.merged} if grid.merged else {})}
     return {
-        "file": printable(surface.path or surface.name),
+        "file": one_line(surface.path or surface.name),
         "sha256": surface.sha256,
         "kind": surface.kind,
-        "nodes": len(surface.points) + sum(surface.dropped.values()),
+        "nodes": len(surface.points),
         "triangles": 0 if surface.faces is None else len(surface.faces),
         "dropped": dropped,
     }

@@ -23,7 +23,7 @@ ABOVE = "#d400a0"
 BELOW = "#7028e4"
 MAP_MARGINS = (0.75, 0.6, 1.15)
 """Inches left of a map, below it, and right of it for its scale."""
-_STYLE = {
+_STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 9.0,
     "axes.edgecolor": "#b6bbc4",
@@ -37,7 +37,7 @@ _STYLE = {
 
 
 def scale_end(comparison: Comparison) -> float:
-    """Return 1, 2 or 5 times a power of ten with at most a hundredth of the area beyond it."""
+    """Return a round number with at most a hundredth of the area beyond it."""
     values, area = comparison.mean_abs[comparison.compared], comparison.area[comparison.compared]
     order = np.argsort(values)
     share = np.cumsum(area[order])
@@ -47,7 +47,8 @@ def scale_end(comparison: Comparison) -> float:
     if not math.isfinite(value) or value <= 0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(value))
-    return float(f"{next(k for k in (1, 2, 5, 10) if value <= k * power * (1 + 1e-9)) * power:g}")
+    steps = (1, 1.5, 2, 3, 4, 5, 6, 8, 10)
+    return float(f"{next(k for k in steps if value <= k * power * (1 + 1e-9)) * power:g}")
 
 
 def heatmap(
@@ -62,7 +63,7 @@ def heatmap(
     signed
         d itself on a diverging scale with zero in the middle, else |d|.
     titled
-        Whether files and the main numbers stand above the map.
+        Whether files and the main numbers stand above the map; without them it is smaller.
 
     Returns
     -------
@@ -70,14 +71,14 @@ def heatmap(
         Triangles beyond the scale are magenta (violet below a signed one), those that were not
         compared are grey.
     """
-    width, height = map_size(comparison, 6.4, 7.0)
+    width, height = map_size(comparison, *((6.4, 7.0) if titled else (4.2, 5.0)))
     left, bottom, right, top = *MAP_MARGINS, 0.85 if titled else 0.3
     page = (max(left + width + right, 6.2 if titled else 0.0), bottom + height + top)
     figure = sheet(*page)
     draw_map(figure, comparison, document, (left, bottom, width, height), signed=signed)
     if titled:
         for down, text, style in (
-            (0.28, title(document), {"fontsize": 11.5, "fontweight": "bold"}),
+            (0.28, title(document), {"fontsize": 11.5, "fontweight": "bold", "color": INK}),
             (0.5, _summary(document), {"color": QUIET}),
         ):
             figure.text(left / page[0], 1 - down / page[1], text, **style)

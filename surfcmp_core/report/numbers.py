@@ -1,4 +1,4 @@
-"""Numbers as people read them: four or five figures, a unit, nothing false."""
+"""Numbers as people read them: four figures, a unit, nothing false."""
 
 import math
 
@@ -7,15 +7,15 @@ NOTHING = "–"
 
 
 def figure(value: float | None) -> str:
-    """Five significant figures; a dash where there is no value."""
+    """Four significant figures; a dash where there is no value."""
     if value is None or not math.isfinite(value):
         return NOTHING
     if value == 0:
         return "0"
     if 1e-4 <= abs(value) < 1e7:
-        decimals = max(0, 4 - math.floor(math.log10(abs(value))))
+        decimals = max(0, 3 - math.floor(math.log10(abs(value))))
         return f"{value:.{decimals}f}".replace("-", "−")
-    return f"{value:.4e}".replace("e-0", "e-").replace("e+0", "e").replace("-", "−")
+    return f"{value:.3e}".replace("e-0", "e-").replace("e+0", "e").replace("-", "−")
 
 
 def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from typing import BinaryIO
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.errors import SurfcmpError
 from surfcmp_core.report.data_files import write_csv, write_json, write_npz
-from surfcmp_core.report.document import Document, printable
+from surfcmp_core.report.document import Document, one_line
 from surfcmp_core.report.mesh_files import write_ply, write_vtp
 from surfcmp_core.report.page import write_html
 from surfcmp_core.report.pictures import write_pdf, write_png
@@ -46,7 +46,7 @@ def check_outputs(
     used = {os.path.realpath(path) for path in inputs}
     seen: set[str] = set()
     for path in paths:
-        name, target = printable(path), os.path.realpath(path)
+        name, target = one_line(path), os.path.realpath(path)
         if path.suffix.lower() not in known:
             raise OutputError(f"{name}: unknown ending; known are {' '.join(known)}")
         if target in used or any(_same(target, other) for other in used):
@@ -104,7 +104,7 @@ def write_all(contents: dict[Path, Callable[[BinaryIO], None]]) -> None:
         for temporary, target in staged:
             os.replace(temporary, target)
     except OSError as fault:
-        raise OutputError(f"{printable(path)}: {_reason(fault)}") from fault
+        raise OutputError(f"{one_line(path)}: {_reason(fault)}") from fault
     finally:
         for temporary, _target in staged:
             temporary.unlink(missing_ok=True)

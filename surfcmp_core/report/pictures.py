@@ -1,6 +1,6 @@
 """The results made to be looked at on paper: .png and .pdf."""
 
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
@@ -143,7 +143,7 @@ def _foot(page: "Figure", document: Document, number: str) -> None:
     _write(page, _WIDTH - _LEFT, _HEIGHT - 0.42, number, color=QUIET, fontsize=7, ha="right")
 
 
-def _write(page: "Figure", right: float, down: float, text: str, **style: object) -> None:
+def _write(page: "Figure", right: float, down: float, text: str, **style: Any) -> None:
     """Set one line, its base line `down` inches below the top of the page."""
     text = text.replace("$", r"\$").replace(r"\\$", r"\$")
     page.text(right / _WIDTH, 1 - down / _HEIGHT, text, **{"fontsize": 8.0, **style})

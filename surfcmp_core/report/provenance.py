@@ -3,7 +3,7 @@
 from typing import Any
 
 from surfcmp_core.report.document import Document
-from surfcmp_core.report.numbers import figure, thousands, with_unit
+from surfcmp_core.report.numbers import thousands, with_unit
 
 DISCLAIMER = "For research and teaching; not a medical device."
 
@@ -20,7 +20,7 @@ def key_figures(document: Document) -> list[tuple[str, str, str]]:
     measures, unit = document["measures"], document["options"]["unit"]
     rows = [
         ("mean |d|", measures["mean_abs"], 1),
-        ("95 % of the area below", measures["p95"], 1),
+        ("95 % lie below", measures["p95"], 1),
         *(
             (f"within {tolerance} {unit}", share, None)
             for tolerance, share in list(measures["within_tolerance"].items())[-1:]
@@ -63,7 +63,17 @@ def count_rows(document: Document) -> Rows:
 
 def option_rows(document: Document) -> Rows:
     """Return every option as it was used."""
-    return [(key, _plain(value)) for key, value in document["options"].items()]
+    options = dict(document["options"])
+    limits = (
+        "no limit" if limit is None else f"{limit:.6g}" for limit in options.pop("max_edge_used")
+    )
+    if options.pop("max_edge_derived"):
+        options["max_edge"] = "derived from the node spacing"
+    elif options["max_edge"] is None:
+        options["max_edge"] = "no limit"
+    rows = [(key, _plain(value)) for key, value in options.items()]
+    used = ", ".join(f"{limit} (surface {number})" for number, limit in enumerate(limits, 1))
+    return [*rows, ("max_edge used", used)]
 
 
 def transform_text(document: Document) -> str:
@@ -89,7 +99,7 @@ def _plain(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return figure(value)
+        return f"{value:.6g}"
     if isinstance(value, list):
         return ", ".join(_plain(one) for one in value)
     return str(value)

@@ -108,7 +108,8 @@ def _keep_shortest(
     stays = np.zeros(count, np.bool_)
     seen_from = np.full(parts, -1, np.int32)
     shortest = np.empty(parts, np.int32)
-    for k in grouped:
+    for place in range(count):
+        k = int(grouped[place])
         q = head[k]
         if seen_from[q] != tail[k]:
             seen_from[q] = tail[k]

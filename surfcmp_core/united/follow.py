@@ -17,7 +17,7 @@ def _is_interface(start: NDArray[np.int32], label: NDArray[np.uint8], h: int) ->
     """Whether an edge joins a node of G1 alone to one of G2 alone."""
     a = label[start[h]]
     b = label[start[following(h)]]
-    return a != 3 and b != 3 and a != b
+    return bool(a != 3 and b != 3 and a != b)
 
 
 @kernel
