@@ -54,7 +54,7 @@ MIDLINE = spline(
 )  # fmt: skip
 WIDTH = spline(
     (-118, 50), (-104, 55), (-90, 61), (-75, 66), (-58, 70.5), (-35, 75), (-10, 78.5), (15, 79.5),
-    (40, 79), (65, 77.5), (85, 74), (118, 62),
+    (40, 78.5), (65, 75), (85, 70), (118, 58),
 )  # fmt: skip
 RIDGE = spline(
     (-26, 110), (-20, 113), (-14, 112.3), (-5, 108), (6, 102), (16, 96), (23, 93.2), (30, 92),
@@ -83,7 +83,7 @@ def brows_and_sockets(x: Array, y: Array, z: Array) -> Array:
     """Brow ridge, eye sockets and eyebrows."""
     ax = np.abs(x)
     z = z + 1.6 * pair(x, y, 11, 33, 12, 7, 10) + 3.2 * pair(x, y, 38, 36, 20, 7, -6)
-    z -= 7.6 * pair(x, y, 24.5, 21, 10.5, 9) + 3.6 * pair(x, y, 38, 19, 9, 9)
+    z -= 7.0 * pair(x, y, 24.5, 21, 10.5, 9) + 3.6 * pair(x, y, 38, 19, 9, 9)
     z -= 1.2 * pair(x, y, 21, 8, 9, 5, -35)  # trough of the tear
     arch = 34.5 + 4.6 * np.sin(np.clip((ax - 12) / 42, 0, 1) * np.pi * 0.80)
     along = step((ax - 9) / 6) * step((58 - ax) / 22)
@@ -95,7 +95,7 @@ def eyes(x: Array, y: Array, z: Array) -> Array:
     ax = np.abs(x)
     cx, cy, cz, r = 32.0, 17.0, 71.0, 12.0
     q2 = ((ax - cx - 1) / 21) ** 2 + ((y - cy - 0.3) / 17) ** 2
-    lids = 67 + 17.3 * np.maximum(1 - q2, 0) - 60 * np.maximum(q2 - 1, 0)
+    lids = 67 + 17.3 * (1 - q2) - 0.012 * np.maximum(ax - cx, 0) ** 2 - 40 * np.maximum(q2 - 1, 0)
     z = smooth_max(z, lids, 9.0)
     t = np.clip((ax - cx) / 14.6, -1, 1)  # -1 inner corner, 1 outer corner
     tilt = cy - 0.8 + 1.2 * t
@@ -178,8 +178,8 @@ EYEBROW_HOLE = (-44.0, 38.6, 8.5, 3.6)
 """Place and half axes of the patch of hair that the second scan lost."""
 
 _OUTLINE = (
-    (0, -106), (20, -103), (38, -92), (52, -74), (62, -48), (68, -20), (71, 8), (72, 35), (70, 60),
-    (62, 80), (47, 93), (25, 99.5), (0, 101.5),
+    (0, -106), (20, -103), (38, -92), (52, -74), (62, -48), (68, -20), (71, 8), (71.5, 33),
+    (67.5, 58), (58, 78), (43, 91.5), (23, 99), (0, 101.5),
 )  # fmt: skip
 
 
