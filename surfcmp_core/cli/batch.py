@@ -1,0 +1,171 @@
+"""`surfcmp batch PATHS...`: all pairs of some files."""
+
+import json
+from itertools import combinations
+from pathlib import Path
+from typing import Annotated, Any, BinaryIO
+
+import typer
+
+from surfcmp_core.cli.bar import progress_bar
+from surfcmp_core.cli.ends import CANNOT_COMPARE, WrongUsage, complain, ending
+from surfcmp_core.cli.options import (
+    AlignOption,
+    DomainOption,
+    DuplicatesOption,
+    ExactOption,
+    MaxEdgeOption,
+    ProjectOption,
+    QuietOption,
+    ThreadsOption,
+    ToleranceOption,
+    UnitOption,
+    WeightOption,
+)
+from surfcmp_core.cli.pair import Settings, compare_files
+from surfcmp_core.errors import InputError
+from surfcmp_core.report import OutputError, check_outputs
+from surfcmp_core.report.document import Document, now, one_line, program
+from surfcmp_core.report.meanings import MEANINGS
+from surfcmp_core.report.numbers import with_unit
+from surfcmp_core.report.outputs import write_all
+
+Paths = Annotated[
+    list[Path],
+    typer.Argument(metavar="PATHS...", help="Files and folders of files.", show_default=False),
+]
+OutOption = Annotated[
+    list[Path] | None,
+    typer.Option("--out", metavar="FILE", help="Write the table; repeatable. Endings: .csv .json"),
+]
+_COLUMNS = ("mean_abs", "p95", "rms", "mean_signed", "coverage_1", "coverage_2", "rho_V")
+
+
+@ending
+def command(
+    paths: Paths,
+    domain: DomainOption = "data",
+    max_edge: MaxEdgeOption = None,
+    exact: ExactOption = False,
+    tolerance: ToleranceOption = None,
+    weight: WeightOption = None,
+    align: AlignOption = "none",
+    project: ProjectOption = "z",
+    duplicates: DuplicatesOption = "refuse",
+    unit: UnitOption = None,
+    out: OutOption = None,
+    quiet: QuietOption = False,
+    threads: ThreadsOption = 2,
+) -> None:
+    """Compare every file with every later one; a pair that fails does not stop the others."""
+    settings = Settings(
+        domain=domain,
+        max_edge=max_edge,
+        exact=exact,
+        tolerances=tuple(tolerance or (0.5, 1.0, 2.0)),
+        duplicates=duplicates,
+        unit=unit,
+        weight=weight,
+        align=align,
+        project=project,
+        threads=threads,
+    )
+    settings.check()
+    files = _files(paths)
+    results = out or []
+    try:
+        check_outputs(results, files, (".csv", ".json"))
+    except OutputError as fault:
+        raise WrongUsage(f"--out {fault}") from None
+
+    pairs = list(combinations(files, 2))
+    done = []
+    with progress_bar(quiet) as progress:
+        for number, pair in enumerate(pairs):
+            progress(f"pair {number + 1} of {len(pairs)}", number / len(pairs))
+            done.append(_one(pair, settings))
+    write_all({path: _writer(path, done) for path in results})
+    if not quiet:
+        _show(done)
+    if any("error" in one for one in done):
+        raise typer.Exit(CANNOT_COMPARE)
+
+
+def _files(paths: list[Path]) -> list[Path]:
+    from surfcmp_core.io.read import READERS
+
+    files: list[Path] = []
+    for path in paths:
+        if path.is_dir():
+            files += sorted(one for one in path.iterdir() if one.suffix.lower() in READERS)
+        else:
+            files.append(path)
+    files = list(dict.fromkeys(files))
+    if len(files) < 2:
+        raise WrongUsage(f"batch: two files or more are needed, found {len(files)}")
+    return files
+
+
+def _one(pair: tuple[Path, Path], settings: Settings) -> Document:
+    try:
+        return compare_files(pair, settings, lambda _stage, _fraction: None)[1]
+    except InputError as fault:
+        complain(str(fault))
+        return {
+            "inputs": [{"file": one_line(path)} for path in pair],
+            "error": one_line(str(fault)),
+        }
+
+
+def _writer(path: Path, done: list[Document]) -> Any:
+    def write_json(stream: BinaryIO) -> None:
+        whole = {"schema": 1, "program": program(), "created": now(), "pairs": done}
+        text = json.dumps(whole, indent=1, ensure_ascii=False, allow_nan=False)
+        stream.write(text.encode() + b"\n")
+
+    def write_csv(stream: BinaryIO) -> None:
+        import csv
+        import io
+
+        text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
+        keys = [one.key for one in MEANINGS if one.key != "within_tolerance"]
+        tolerances = next(
+            (list(one["measures"]["within_tolerance"]) for one in done if "error" not in one), []
+        )
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(["file_1", "file_2", *keys, *(f"within_{t}" for t in tolerances), "error"])
+        for one in done:
+            measures = one.get("measures", {})
+            within = measures.get("within_tolerance", {})
+            table.writerow(
+                [one["inputs"][0]["file"], one["inputs"][1]["file"]]
+                + [measures.get(key) for key in keys]
+                + [within.get(t) for t in tolerances]
+                + [one.get("error", "")]
+            )
+        text.detach()
+
+    return write_json if path.suffix.lower() == ".json" else write_csv
+
+
+def _show(done: list[Document]) -> None:
+    from rich.table import Table
+    from rich.text import Text
+
+    from surfcmp_core.cli.table import console
+
+    powers = {one.key: one.power for one in MEANINGS}
+    rows = Table(box=None, pad_edge=False, header_style="bold", padding=(0, 2, 0, 0))
+    for name in ("1", "2"):
+        rows.add_column(name, overflow="fold")
+    for name in _COLUMNS:
+        rows.add_column(name, justify="right", no_wrap=True)
+    for one in done:
+        names = [Text(Path(file["file"]).name) for file in one["inputs"]]
+        if "error" in one:
+            rows.add_row(*names, Text("failed", "red"))
+            continue
+        unit = one["options"]["unit"]
+        cells = (with_unit(one["measures"][key], powers[key], unit) for key in _COLUMNS)
+        rows.add_row(*names, *(f"{value} {symbol}" for value, symbol in cells))
+    console().print(rows)

@@ -1,0 +1,59 @@
+"""How commands end: exit statuses, and the one line that says why."""
+
+import functools
+import os
+import sys
+from collections.abc import Callable
+
+import typer
+
+from surfcmp_core.errors import SurfcmpError
+from surfcmp_core.report.document import one_line
+
+WRONG_USAGE = 2
+CANNOT_COMPARE = 3
+INTERRUPTED = 130
+
+
+class WrongUsage(SurfcmpError):  # noqa: N818 - not a fault of the program
+    """The arguments ask for something that does not exist; the message is one line."""
+
+
+def complain(text: str) -> None:
+    """Say on standard error, in one line, what is wrong."""
+    print(f"surfcmp: {one_line(text)}", file=sys.stderr)
+
+
+def ending[**P](command: Callable[P, None]) -> Callable[P, None]:
+    """Turn what a command raises into its exit status and one line, never a traceback."""
+
+    @functools.wraps(command)
+    def ended(*args: P.args, **kwargs: P.kwargs) -> None:
+        try:
+            command(*args, **kwargs)
+            sys.stdout.flush()
+        except WrongUsage as fault:
+            complain(str(fault))
+            raise typer.Exit(WRONG_USAGE) from None
+        except SurfcmpError as fault:
+            complain(str(fault))
+            raise typer.Exit(CANNOT_COMPARE) from None
+        except MemoryError:
+            complain("not enough memory for this input")
+            raise typer.Exit(CANNOT_COMPARE) from None
+        except BrokenPipeError:
+            _forget_standard_output()
+            raise typer.Exit(INTERRUPTED) from None
+        except OSError as fault:
+            complain(f"standard output: {fault.strerror or fault}")
+            _forget_standard_output()
+            raise typer.Exit(CANNOT_COMPARE) from None
+
+    return ended
+
+
+def _forget_standard_output() -> None:
+    """Keep the interpreter from flushing, on its way out, into a pipe that nobody reads."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)

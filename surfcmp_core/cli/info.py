@@ -1,0 +1,60 @@
+"""`surfcmp info FILE`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from surfcmp_core.cli.ends import ending
+from surfcmp_core.cli.options import UnitOption
+from surfcmp_core.io import Facts
+from surfcmp_core.report.numbers import figure, thousands
+
+File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_default=False)]
+
+
+@ending
+def command(file: File, unit: UnitOption = None) -> None:
+    """Say what a file holds: nodes, triangles, extents, one-valuedness."""
+    from rich.text import Text
+
+    from surfcmp_core.cli.table import columns, console
+    from surfcmp_core.io import facts_of, read_surface
+    from surfcmp_core.report.document import one_line
+
+    rows = columns("", "")
+    for name, text in fact_rows(facts_of(read_surface(file, unit=unit))):
+        rows.add_row("  " + name, text)
+    out = console()
+    out.print(Text(one_line(file), "bold"))
+    out.print(rows)
+
+
+def fact_rows(facts: Facts) -> list[tuple[str, str]]:
+    """Return what is known of one surface, a row for each fact."""
+    unit = facts.unit or ""
+    return [
+        ("kind", facts.kind),
+        ("nodes", thousands(facts.nodes)),
+        ("triangles", thousands(facts.triangles)),
+        *(
+            (axis, f"{figure(low)} to {figure(high)}, extent {figure(high - low)} {unit}".rstrip())
+            for axis, low, high in zip("xyz", facts.low, facts.high, strict=True)
+        ),
+        ("unit", facts.unit or "not stated (mm is assumed)"),
+        ("one-valued", _one_valued(facts)),
+        ("repeated nodes", thousands(facts.repeated)),
+        *((reason, thousands(count)) for reason, count in facts.dropped.items()),
+        ("SHA-256", facts.sha256),
+    ]
+
+
+def _one_valued(facts: Facts) -> str:
+    if facts.one_valued:
+        return "yes, seen along z"
+    faults = []
+    if facts.contradicting:
+        faults.append(f"{thousands(facts.contradicting)} nodes share x, y with one of another z")
+    if facts.folded:
+        faults.append(f"{100 * facts.folded:.3g} % of the area, seen along z, folds over")
+    return "no: " + "; ".join(faults)

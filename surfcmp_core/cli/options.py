@@ -1,0 +1,71 @@
+"""The options that `compare` and `batch` share, described once."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+DomainOption = Annotated[
+    Literal["data", "hull", "plane"],
+    typer.Option(
+        "--domain", help="Compare where both have data, inside both hulls, or over all of T."
+    ),
+]
+MaxEdgeOption = Annotated[
+    float | None,
+    typer.Option(
+        "--max-edge",
+        metavar="X",
+        help="Longest edge over which a cloud has data; inf: no limit. "
+        "[default: derived from the node spacing]",
+    ),
+]
+ExactOption = Annotated[
+    bool, typer.Option("--exact", help="Integrate over the overlay of T1 and T2 as well.")
+]
+ToleranceOption = Annotated[
+    list[float] | None,
+    typer.Option(
+        "--tolerance",
+        metavar="X",
+        help="Share of the area within X; repeatable. [default: 0.5, 1, 2]",
+    ),
+]
+DuplicatesOption = Annotated[
+    Literal["refuse", "mean", "max", "min"],
+    typer.Option("--duplicates", help="What to do with nodes of equal x, y and different z."),
+]
+UnitOption = Annotated[
+    Literal["mm", "cm", "m", "um", "in", "ft"] | None,
+    typer.Option(
+        "--unit", help="Unit of the files' coordinates, whatever they say; converted to mm."
+    ),
+]
+WeightOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--weight", metavar="FILE", help="Weight µ: x, y, µ at the nodes of a surface file."
+    ),
+]
+AlignOption = Annotated[
+    str,
+    typer.Option(
+        "--align",
+        metavar="none|icp|FILE",
+        help="Move B: not at all, by best fit, or by the 4×4 matrix in FILE.",
+    ),
+]
+ProjectOption = Annotated[
+    str,
+    typer.Option(
+        "--project",
+        metavar="auto|z|view:X,Y,Z",
+        help="Look along z, along the direction that shows most, or along X, Y, Z.",
+    ),
+]
+ThreadsOption = Annotated[int, typer.Option("--threads", metavar="N", min=1, help="Threads.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", help="No table and no progress.")]
+JsonOption = Annotated[
+    bool,
+    typer.Option("--json", help="Print the .json document, and nothing else."),
+]

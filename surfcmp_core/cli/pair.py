@@ -1,0 +1,174 @@
+"""One pair of files, compared as the options say."""
+
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.cli.ends import WrongUsage
+from surfcmp_core.comparison import Comparison, Domain
+from surfcmp_core.errors import InputError
+from surfcmp_core.grid import Duplicates
+from surfcmp_core.progress import Progress
+from surfcmp_core.report import make_document
+from surfcmp_core.report.document import Document
+from surfcmp_core.surface import Surface
+
+UNIT = "mm"
+"""Taken for granted, with a warning, where no file states a unit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """The options of the command line that change the numbers."""
+
+    domain: Domain
+    max_edge: float | None
+    exact: bool
+    tolerances: tuple[float, ...]
+    duplicates: Duplicates
+    unit: str | None
+    weight: Path | None
+    align: str
+    project: str
+    threads: int
+
+    def check(self) -> None:
+        """Refuse what no input could make right.
+
+        Raises
+        ------
+        WrongUsage
+            One line that names the option.
+        """
+        if self.max_edge is not None and not self.max_edge > 0:
+            raise WrongUsage("--max-edge: must be above zero (inf: no limit)")
+        for tolerance in self.tolerances:
+            if not 0 <= tolerance < float("inf"):
+                raise WrongUsage("--tolerance: must be a number, zero or above")
+        if self.project not in {"auto", "z"}:
+            view_of(self.project)
+
+
+def view_of(project: str) -> tuple[float, float, float]:
+    """Return the direction of ``view:X,Y,Z``, or raise `WrongUsage`."""
+    try:
+        kind, numbers = project.split(":")
+        x, y, z = (float(number) for number in numbers.split(","))
+    except ValueError:
+        kind, x, y, z = "", 0.0, 0.0, 0.0
+    length = (x * x + y * y + z * z) ** 0.5
+    if kind != "view" or not 0 < length < float("inf"):
+        raise WrongUsage(f"--project {project}: not auto, z or view:X,Y,Z")
+    return x, y, z
+
+
+def read(path: Path, unit: str | None) -> Surface:
+    """Read one surface; `unit` is that of its coordinates, whatever the file says."""
+    from surfcmp_core.io import read_surface
+
+    return read_surface(path, unit=unit)
+
+
+def compare_files(
+    paths: tuple[Path, Path], settings: Settings, progress: Progress
+) -> tuple[Comparison, Document]:
+    """Read two files, compare them and describe the result.
+
+    Raises
+    ------
+    InputError
+        One line that names the file and the fault.
+    """
+    start = time.perf_counter()
+    progress("read", 0.0)
+    surfaces = read(paths[0], settings.unit), read(paths[1], settings.unit)
+    seconds = time.perf_counter() - start
+    return compare_surfaces(surfaces, settings, progress, seconds)
+
+
+def compare_surfaces(
+    surfaces: tuple[Surface, Surface], settings: Settings, progress: Progress, read_seconds: float
+) -> tuple[Comparison, Document]:
+    """Compare two surfaces that were read, and describe the result."""
+    from surfcmp_core.cli.weight import read_weight
+    from surfcmp_core.compare import compare
+
+    surfaces, warnings = _in_one_unit(surfaces)
+    motion, alignment = _alignment(surfaces, settings.align, progress)
+    comparison = compare(
+        *surfaces,
+        domain=settings.domain,
+        max_edge=settings.max_edge,
+        exact=settings.exact,
+        tolerances=settings.tolerances,
+        weight=None if settings.weight is None else read_weight(settings.weight),
+        duplicates=settings.duplicates,
+        threads=settings.threads,
+        align=motion,
+        frame=_frame(surfaces, motion, settings.project),
+        progress=progress,
+        read_seconds=read_seconds,
+    )
+    if settings.exact and not hasattr(comparison.measures, "exact"):
+        warnings += ("--exact: not available yet; all measures are nodal",)
+    comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
+    asked = {
+        "weight": None if settings.weight is None else str(settings.weight),
+        "align": alignment,
+        "project": settings.project,
+    }
+    return comparison, make_document(comparison, asked)
+
+
+def _in_one_unit(
+    surfaces: tuple[Surface, Surface],
+) -> tuple[tuple[Surface, Surface], tuple[str, ...]]:
+    """Give both surfaces a unit; say what was taken for granted, refuse what cannot be."""
+    first, second = surfaces
+    if first.unit and second.unit and first.unit != second.unit:
+        raise InputError(
+            f"{second.path or second.name}: is in {second.unit}, but the other surface in"
+            f" {first.unit} (--unit says the unit of both)"
+        )
+    silent = [one for one in surfaces if not one.unit]
+    unit = first.unit or second.unit or UNIT
+    names = " and ".join(one.name for one in silent)
+    warnings = (f"no unit stated in {names}: taken as {unit}",) if silent else ()
+    return (replace(first, unit=unit), replace(second, unit=unit)), warnings
+
+
+def _frame(
+    surfaces: tuple[Surface, Surface], motion: NDArray[np.float64] | None, project: str
+) -> NDArray[np.float64] | None:
+    """Return the rotation that brings the view along z (None: it is z already)."""
+    if project == "z":
+        return None
+    from surfcmp_core.projection import frame, moved, viewing_direction
+
+    if project != "auto":
+        return frame(view_of(project))
+    first, second = surfaces
+    return frame(viewing_direction(first, second if motion is None else moved(second, motion)))
+
+
+def _alignment(
+    surfaces: tuple[Surface, Surface], align: str, progress: Progress
+) -> tuple[NDArray[np.float64] | None, Any]:
+    """Return the matrix that moves surface 2 (None: none), and how it was found."""
+    if align == "none":
+        return None, "none"
+    if align == "icp":
+        from dataclasses import asdict
+
+        from surfcmp_core.alignment import best_fit
+
+        found = best_fit(*surfaces, progress=progress)
+        return found.matrix, {**asdict(found), "matrix": found.matrix.tolist()}
+    from surfcmp_core.cli.motion import read_motion
+
+    matrix = read_motion(Path(align))
+    return matrix, {"method": "file", "file": align, "matrix": matrix.tolist()}

@@ -1,0 +1,68 @@
+"""Tables on standard output, for people."""
+
+import sys
+from typing import TYPE_CHECKING
+
+from surfcmp_core.report.document import Document
+from surfcmp_core.report.meanings import NOTES, lines
+from surfcmp_core.report.numbers import with_unit
+from surfcmp_core.report.provenance import base_name, count_rows
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+_WIDTH = 100
+"""Columns, where no terminal says how wide it is."""
+
+
+def show(document: Document) -> None:
+    """Print the measures, counts and warnings of a comparison."""
+    from rich.text import Text
+
+    unit = document["options"]["unit"]
+    first, second = (base_name(one["file"]) for one in document["inputs"])
+    out = console()
+    out.print(Text.assemble("\n", (first, "bold"), "  −  ", (second, "bold")))
+    out.print(Text(f"d = z1 − z2 in {unit}; 1 is the first file, 2 the second", "dim"))
+
+    rows = columns("", "right", "", "")
+    group = ""
+    for line in lines(document["measures"], unit):
+        if line.group != group:
+            group = line.group
+            rows.add_row()
+            rows.add_row(Text(group, "bold"))
+        value, symbol = with_unit(line.value, line.power, unit)
+        rows.add_row(
+            "  " + line.name, Text(value, "bold"), Text(symbol, "dim"), Text(line.text, "dim")
+        )
+    out.print(rows)
+    for group, note in NOTES.items():
+        out.print(Text(f"\n{group}: {note}", "dim"))
+
+    out.print(Text("\nCounts", "bold"))
+    counts = columns("", "")
+    for name, text in count_rows(document):
+        counts.add_row("  " + name, text)
+    out.print(counts)
+    for warning in document["warnings"]:
+        out.print(Text.assemble("\n", ("warning: ", "bold yellow"), warning))
+
+
+def console() -> "Console":
+    """Return standard output, as wide as its terminal."""
+    from rich.console import Console
+
+    return Console(width=None if sys.stdout.isatty() else _WIDTH, highlight=False, markup=False)
+
+
+def columns(*justified: str) -> "Table":
+    """Return a table without lines, its columns justified as said ("" for left)."""
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False, show_header=False, padding=(0, 2, 0, 0))
+    for place, justify in enumerate(justified):
+        last = place == len(justified) - 1
+        table.add_column(justify="right" if justify == "right" else "left", no_wrap=not last)
+    return table

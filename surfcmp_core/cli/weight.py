@@ -1,0 +1,52 @@
+"""The weight of `--weight FILE`: µ(x, y) from the nodes of a surface file."""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.comparison import Weight
+from surfcmp_core.errors import InputError
+
+
+def read_weight(path: Path) -> Weight:
+    """Read µ, the third column of a surface file.
+
+    Parameters
+    ----------
+    path
+        Any readable surface file; x, y in the comparison's plane and unit. Its own triangles, if
+        any, are not used.
+
+    Returns
+    -------
+    Weight
+        Linear between the file's nodes (on their Delaunay triangulation), and outside their hull
+        the value at its nearest place.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or holds a weight below zero.
+    """
+    from surfcmp_core.grid import grid_of, safe_scale
+    from surfcmp_core.interpolation import interpolate
+    from surfcmp_core.io import read_surface
+    from surfcmp_core.localisation import locate_along_tree
+    from surfcmp_core.triangulation import triangulate
+
+    grid = grid_of(read_surface(path))
+    if (grid.z < 0).any():
+        raise InputError(f"{path}: {int((grid.z < 0).sum())} weights are below zero")
+    scale = safe_scale(grid.nodes)
+    triangulation = triangulate(grid.nodes * scale, name=str(path))
+
+    def weight(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        places = np.column_stack([x, y]) * scale
+        # The nodes of T come along a curve, so each is searched from the one before.
+        steps = np.arange(len(places), dtype=np.int32)
+        path_ = np.column_stack([steps[:-1], steps[1:]])
+        found = locate_along_tree(triangulation, places, path_)
+        return interpolate(triangulation, grid.z, places, found, continued=True)
+
+    return weight
