@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
+from surfcmp_core import compare, read_surface
 from surfcmp_core.samples import SAMPLES, Sample, sample_pair, truth
 
 Array = NDArray[np.float64]
@@ -145,3 +146,32 @@ def test_files_show_the_true_volume(name: Sample) -> None:
         seen = float((first(x, y) - second(x, y)).sum() * cell)
         area = len(x) * cell
         assert seen == pytest.approx(change["signed_volume"], rel=0.02, abs=0.02 * area)
+
+
+def test_compare_finds_the_swelling() -> None:
+    before, after = sample_pair("face")
+    result = compare(read_surface(before), read_surface(after))
+    change = truth("face")["changes"][0]
+    nodes, triangles = result.united.nodes, result.united.triangles
+    away = np.hypot(*(nodes[triangles].mean(axis=1) - change["centre"]).T)
+    near = result.compared & (away < change["half_axes"][0] + 1)
+    volume = (result.mean_signed[near] * result.area[near]).sum()
+    assert volume == pytest.approx(change["signed_volume"], rel=0.03)
+    largest = np.nanargmax(result.mean_abs)
+    assert away[largest] < 4
+    assert result.mean_signed[largest] == pytest.approx(change["extreme"], abs=0.3)
+    assert result.measures.max_abs == pytest.approx(abs(change["extreme"]), abs=0.3)
+    hole = (nodes[triangles].mean(axis=1) - (-44.0, 38.6)) @ np.diag((1 / 6, 1 / 2.5))
+    assert not result.compared[np.hypot(*hole.T) < 1].any()
+
+
+def test_compare_finds_quarry_and_heap() -> None:
+    result = compare(*map(read_surface, sample_pair("terrain")))
+    middle = result.united.nodes[result.united.triangles].mean(axis=1)
+    for change in truth("terrain")["changes"]:
+        away = np.hypot(*(middle - change["centre"]).T)
+        near = result.compared & (away < change["half_axes"][0] + 5)
+        volume = (result.mean_signed[near] * result.area[near]).sum()
+        assert volume == pytest.approx(change["signed_volume"], rel=0.03)
+    for lake in ((560.0, 690.0), (1010.0, 190.0), (150.0, 700.0)):
+        assert not result.compared[np.hypot(*(middle - lake).T) < 15].any()
