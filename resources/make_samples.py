@@ -88,7 +88,7 @@ def in_jaw_scan(x: Array, y: Array) -> NDArray[np.bool_]:
 def write_ply(path: Path, points: Array, faces: NDArray[np.int32]) -> None:
     """Binary little-endian, float32."""
     head = (
-        "ply\nformat binary_little_endian 1.0\ncomment surfcmp sample, MIT licence\n"
+        "ply\nformat binary_little_endian 1.0\ncomment surfcmp sample, MIT licence\ncomment unit mm\n"
         f"element vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
         f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     )
@@ -174,7 +174,8 @@ def terrain_pair(folder: Path) -> dict[str, Any]:
         nodes = scatter(count, box, partial(inside, lakes=lakes), density, rng, 3)
         nodes = rounded(nodes, TERRAIN_QUANTUM)
         z = rounded(height(*nodes.T) + rng.normal(0, TERRAIN_NOISE, len(nodes)), TERRAIN_QUANTUM)
-        np.savez(folder / f"{name}.npz", points=np.column_stack([nodes, z]).astype("<f4"))
+        points = np.column_stack([nodes, z]).astype("<f4")
+        np.savez(folder / f"{name}.npz", points=points, unit=np.array("m"))
     return {
         "files": ["terrain_2020.npz", "terrain_2024.npz"],
         "unit": "m",

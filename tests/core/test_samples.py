@@ -69,7 +69,7 @@ def test_the_script_writes_the_same_bytes_again(tmp_path: Path) -> None:
 def test_each_pair_is_found() -> None:
     for name in SAMPLES:
         assert [path.name for path in sample_pair(name)] == truth(name)["files"]
-        assert all(path.is_file() for path in sample_pair(name))
+        assert [read_surface(path).unit for path in sample_pair(name)] == 2 * [truth(name)["unit"]]
 
 
 def test_samples_are_small() -> None:
