@@ -8,7 +8,7 @@ from surfcmp_core.kernel import kernel
 
 @kernel
 def triangle_area(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> float:
-    """Area of a counter-clockwise triangle, measured from its lowest node in x, then y.
+    """Area of a counter-clockwise triangle, measured from its leftmost node.
 
     Parameters
     ----------
@@ -20,12 +20,13 @@ def triangle_area(ax: float, ay: float, bx: float, by: float, cx: float, cy: flo
     float
         Negative for a clockwise triangle; may be 0 or less for one thinner than rounding.
     """
-    if bx < ax or (bx == ax and by < ay):
-        if cx < bx or (cx == bx and cy < by):
+    # Where two nodes share the lowest x, either gives the same bits.
+    if bx < ax:
+        if cx < bx:
             ax, ay, bx, by, cx, cy = cx, cy, ax, ay, bx, by
         else:
             ax, ay, bx, by, cx, cy = bx, by, cx, cy, ax, ay
-    elif cx < ax or (cx == ax and cy < ay):
+    elif cx < ax:
         ax, ay, bx, by, cx, cy = cx, cy, ax, ay, bx, by
     return 0.5 * ((bx - ax) * (cy - ay) - (cx - ax) * (by - ay))
 

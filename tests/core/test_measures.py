@@ -364,12 +364,23 @@ def test_no_representative_triangle() -> None:
 
 
 @pytest.mark.parametrize("missing", [math.nan, math.inf])
-def test_compared_without_data_is_refused(missing: float) -> None:
+@pytest.mark.parametrize("corner", range(3))
+def test_compared_without_data_is_refused(missing: float, corner: int) -> None:
     case = random_case()
-    t = int(np.flatnonzero(case.compared)[3])
-    case.z2[case.triangles[t, 1]] = missing
-    with pytest.raises(ValueError, match="lacks area or data"):
+    case.compared[:] = False
+    case.compared[7] = True
+    case.z2[case.triangles[7, corner]] = missing
+    with pytest.raises(ValueError, match="triangle 7 lacks area or data"):
         case.measure()
+
+
+@pytest.mark.parametrize("missing", [math.nan, math.inf, -math.inf])
+def test_missing_data_elsewhere_do_not_matter(missing: float) -> None:
+    case = random_case()
+    case.compared[(case.triangles == 50).any(axis=1)] = False
+    _, found = case.measure()
+    case.z1[50] = missing
+    assert numbers(case.measure()[1]) == numbers(found)
 
 
 def test_compared_without_area_is_refused() -> None:
