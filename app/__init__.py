@@ -1,0 +1,1 @@
+"""The window: two surfaces, both triangulations, the united one and the difference."""

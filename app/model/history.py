@@ -34,6 +34,13 @@ class History:
         self._index += 1
         return True
 
+    def drop(self) -> Document:
+        """Forget the current document, as one that came to nothing, and all after it."""
+        if self._index:
+            del self._documents[self._index :]
+            self._index -= 1
+        return self.current
+
     def undo(self) -> Document:
         """Step back and return the document now current."""
         self._index = max(self._index - 1, 0)

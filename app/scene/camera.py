@@ -84,7 +84,8 @@ def showing(low: Vector, high: Vector, aspect: float, camera: Camera | None = No
     """Return the camera, turned as `camera` is, that shows the box from `low` to `high`."""
     start = camera or Camera()
     centre = (np.asarray(low) + np.asarray(high)) / 2
-    corners = np.array([[(low, high)[(k >> axis) & 1][axis] for axis in range(3)] for k in range(8)])
+    box = (low, high)
+    corners = np.array([[box[(k >> axis) & 1][axis] for axis in range(3)] for k in range(8)])
     flat = replace(start, focus=_tuple(centre), height=1.0)
     seen = np.abs(flat.project(corners)).max(axis=0)
     height = 2 * max(seen[1], seen[0] / max(aspect, 1e-6)) * 1.06
@@ -104,7 +105,8 @@ def _rotation(axis: Vector, angle: float) -> Vector:
     """Return the matrix that turns by `angle` around the unit vector `axis` (Rodrigues)."""
     x, y, z = axis / np.linalg.norm(axis)
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)
+    turn = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)
+    return np.asarray(turn)
 
 
 def _tuple(vector: Vector) -> tuple[float, float, float]:

@@ -53,4 +53,4 @@ def oklch(
     )
     linear = np.clip(lms**3 @ to_rgb.T, 0.0, 1.0)
     encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    return np.rint(encoded * 255).astype(np.uint8)
+    return np.asarray(np.rint(encoded * 255).astype(np.uint8))

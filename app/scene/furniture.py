@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from app.model.view_state import Heatmap, ViewState
 from app.scene.chain_colours import oklch
 from app.scene.colour_maps import (
@@ -18,8 +20,6 @@ from app.scene.scale import ticks
 from app.scene.scene import TRUST_COLOURS, height_range
 from app.scene.values import Trust
 from surfcmp_core.comparison import Comparison
-
-import numpy as np
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,7 @@ from app.scene.camera import Camera
 from app.scene.geometry import Patch
 
 
-def triangle_at(
-    patch: Patch, camera: Camera, relief: bool, right: float, up: float
-) -> int | None:
+def triangle_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> int | None:
     """Return the nearest triangle of `patch` seen at a place of the picture, or None.
 
     Parameters

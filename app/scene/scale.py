@@ -23,7 +23,7 @@ def fitting_limit(differences: NDArray[np.float64], areas: NDArray[np.float64]) 
         return 1.0
     order = np.argsort(size)
     share = np.cumsum(weight[order]) / weight.sum()
-    return round_up(float(size[order][min(np.searchsorted(share, 0.99), len(order) - 1)]))
+    return round_up(float(size[order][min(int(np.searchsorted(share, 0.99)), len(order) - 1)]))
 
 
 def ticks(low: float, high: float, most: int = 7) -> list[float]:
@@ -34,3 +34,12 @@ def ticks(low: float, high: float, most: int = 7) -> list[float]:
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
     return [float(f"{k * step:.12g}") for k in range(first, last + 1)]
+
+
+def round_down(value: float) -> float:
+    """Return the largest of 1, 2, 5 times a power of ten that is at most `value`."""
+    if not math.isfinite(value) or value <= 0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value) + 1e-12)
+    step = next(k for k in (5, 2, 1) if value >= k * power * (1 - 1e-9))
+    return float(f"{step * power:.12g}")

@@ -1,11 +1,12 @@
 """From a comparison and a view state to the four views."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.view_state import Heatmap, ViewState
+from app.model.view_state import Heatmap, Scale, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Geometry, Patch
@@ -67,10 +68,10 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
     colours: list[Colours | Rgb] = [
         quiet.surface_1,
         quiet.surface_2,
-        united_colours(comparison, state),
-        heatmap_colours(comparison, state),
+        united_colours(comparison, state.chain, state.dark),
+        heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark),
     ]
-    one, two, united = geometry.patches
+    patches = (*geometry.patches, geometry.patches[2])
     outline = outline_of(comparison, geometry, state)
     layers = [
         MeshLayer(
@@ -81,46 +82,52 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
             edges=state.edges,
             outline=outline,
         )
-        for view, (patch, colour) in enumerate(zip((one, two, united, united), colours, strict=True))
+        for view, (patch, colour) in enumerate(zip(patches, colours, strict=True))
     ]
     return Scene(layers=tuple(layers), palette=quiet)
 
 
-def united_colours(comparison: Comparison, state: ViewState) -> Colours:
-    """Return (M, 3) the colours of T: clouts quiet, each chain its own."""
-    quiet, united = palette(state.dark), comparison.united
+@lru_cache(maxsize=1)
+def united_colours(comparison: Comparison, chosen: int | None, dark: bool) -> Colours:
+    """Return (M, 3) the colours of T: clouts quiet, each chain its own, a `chosen` one alone."""
+    quiet, united = palette(dark), comparison.united
     seen = np.bitwise_and.reduce(united.label[united.triangles], axis=1)
     table = np.array([quiet.shared, quiet.surface_1, quiet.surface_2, quiet.shared], np.uint8)
     colours = table[seen]
     inside = united.chain >= 0
     colours[inside] = chain_colours(united.chain_closed)[united.chain[inside]]
-    if state.chain is not None:
-        colours = faded(colours, united.chain != state.chain, quiet.background)
+    if chosen is not None:
+        colours = faded(colours, united.chain != chosen, quiet.background)
     return colours
 
 
-def heatmap_colours(comparison: Comparison, state: ViewState) -> Colours:
-    """Return (M, 3) the colours of the heatmap."""
-    quiet = palette(state.dark)
-    values = values_of(comparison, state.heatmap)
-    signed = state.heatmap is Heatmap.SIGNED
-    limit = state.scale.limit
-    if state.heatmap is Heatmap.TRUST:
+@lru_cache(maxsize=1)
+def heatmap_colours(
+    comparison: Comparison,
+    heatmap: Heatmap,
+    scale: Scale,
+    brush: tuple[float, float] | None,
+    dark: bool,
+) -> Colours:
+    """Return (M, 3) the colours of the heatmap; what lies outside `brush` fades."""
+    quiet = palette(dark)
+    values = values_of(comparison, heatmap)
+    signed = heatmap is Heatmap.SIGNED
+    if heatmap is Heatmap.TRUST:
         table = np.array([*TRUST_COLOURS.values(), quiet.no_data], np.uint8)
         colours = table[values.astype(np.intp)]
-    elif not state.heatmap.of_difference:
+    elif not heatmap.of_difference:
         low, high = height_range(comparison)
-        colours = continuous(values, low, high, map_of(state.heatmap), quiet.no_data)
-    elif state.scale.banded:
-        colours = banded(values, state.scale, signed, quiet.no_data)
+        colours = continuous(values, low, high, map_of(heatmap), quiet.no_data)
+    elif scale.banded:
+        colours = banded(values, scale, signed, quiet.no_data)
     else:
-        low = -limit if signed else 0.0
-        colours = continuous(values, low, limit, map_of(state.heatmap), quiet.no_data)
-    if state.brush is not None:
-        low, high = state.brush
+        low = -scale.limit if signed else 0.0
+        colours = continuous(values, low, scale.limit, map_of(heatmap), quiet.no_data)
+    if brush is not None:
         with np.errstate(invalid="ignore"):
-            out = ~((values >= low) & (values <= high))
-        colours = faded(colours, out, quiet.background)
+            outside = ~((values >= brush[0]) & (values <= brush[1]))
+        colours = faded(colours, outside, quiet.background)
     return colours
 
 
@@ -138,9 +145,7 @@ def faded(colours: Colours, where: NDArray[np.bool_], towards: Rgb) -> Colours:
     return mixed
 
 
-def outline_of(
-    comparison: Comparison, geometry: Geometry, state: ViewState
-) -> NDArray[np.float32]:
+def outline_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> NDArray[np.float32]:
     """Return (k, 2, 3) the sides of the picked triangle, just above the surface."""
     if state.picked is None or state.picked >= len(comparison.united.triangles):
         return NOTHING

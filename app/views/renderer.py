@@ -3,6 +3,7 @@
 import os
 import sys
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +15,10 @@ from app.scene.scene import MeshLayer, Scene
 if sys.platform == "linux":  # needs no X server and starts three times faster than GLX
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
 
-import vtkmodules.vtkRenderingOpenGL2  # noqa: E402, F401 - makes the classes below draw
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData  # noqa: E402
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - makes the classes below draw
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
@@ -30,6 +30,7 @@ Image = NDArray[np.uint8]
 EDGE_PIXELS = 4.0
 """Sides shorter than this on the screen are not drawn; they reach full strength at three times."""
 EDGE_OPACITY = 0.45
+LINE_PIXELS = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,10 +61,13 @@ class Renderer:
             if scene is not None:
                 view.colour(scene.palette.background, scene.palette.edge, scene.palette.accent)
 
-    def draw(self, camera: Camera, tiles: list[Tile], fine: bool) -> dict[int, Image]:
+    def draw(
+        self, camera: Camera, tiles: list[Tile], fine: bool, density: float = 1.0
+    ) -> dict[int, Image]:
         """Return the picture of each tile's view, (height, width, 4) RGBA, top row first.
 
-        `fine` draws the triangles' sides; without it the picture comes sooner.
+        `fine` draws the triangles' sides; without it the picture comes sooner. `density` is how
+        many pixels are drawn for one on the screen, along each side.
         """
         if not tiles:
             return {}
@@ -83,11 +87,13 @@ class Renderer:
             view.renderer.SetViewport(
                 x / width, y / height, (x + tile.width) / width, (y + tile.height) / height
             )
-            view.look(camera, tile.height, fine)
+            view.look(camera, tile.height / density, fine)
+            view.thicken(density)
             corners[tile.view] = (x, y, tile)
         self._window.Render()
-        self._window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
-        whole = vtk_to_numpy(self._pixels).reshape(height, width, 4)
+        box = (0, 0, width - 1, height - 1)
+        self._window.GetRGBACharPixelData(*box, 0, self._pixels, 0)  # type: ignore[call-overload]
+        whole = _to_numpy(self._pixels).reshape(height, width, 4)
         return {
             view: np.ascontiguousarray(whole[y : y + tile.height, x : x + tile.width][::-1])
             for view, (x, y, tile) in corners.items()
@@ -110,7 +116,6 @@ class _View:
             self.renderer.AddActor(actor)
         line = self._lines.GetProperty()
         line.SetLighting(False)
-        line.SetLineWidth(3.0)
         mapper = self._lines.GetMapper()
         mapper.SetResolveCoincidentTopologyToPolygonOffset()
         mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
@@ -143,7 +148,7 @@ class _View:
             if not layer.relief:
                 points = points * np.array([1, 1, 0], dtype=np.float32)
             self._data.SetPoints(_points(points))
-            self._data.GetPointData().SetNormals(numpy_to_vtk(layer.patch.normals))
+            self._data.GetPointData().SetNormals(_to_vtk(layer.patch.normals))
         if old is None or old.patch is not layer.patch:
             self._data.SetPolys(_cells(layer.patch.triangles))
         if old is None or old.colours is not layer.colours:
@@ -164,7 +169,7 @@ class _View:
             mapper.ScalarVisibilityOff()
             self._mesh.GetProperty().SetColor(*_unit(layer.colours))
             return
-        scalars = numpy_to_vtk(np.ascontiguousarray(layer.colours))
+        scalars = _to_vtk(np.ascontiguousarray(layer.colours))
         self._data.GetCellData().SetScalars(scalars)
         mapper.SetScalarModeToUseCellData()
         mapper.ScalarVisibilityOn()
@@ -174,7 +179,10 @@ class _View:
         self._mesh.GetProperty().SetEdgeColor(*_unit(edge))
         self._lines.GetProperty().SetColor(*_unit(accent))
 
-    def look(self, camera: Camera, pixels: int, fine: bool) -> None:
+    def thicken(self, density: float) -> None:
+        self._lines.GetProperty().SetLineWidth(LINE_PIXELS * density)
+
+    def look(self, camera: Camera, pixels: float, fine: bool) -> None:
         eye = self.renderer.GetActiveCamera()
         focus, back = np.array(camera.focus), np.array(camera.back)
         eye.SetFocalPoint(*focus)
@@ -201,16 +209,25 @@ def _actor() -> tuple[vtkActor, vtkPolyData]:
     return actor, data
 
 
+def _to_vtk(array: NDArray[Any]) -> Any:
+    """Return the array as VTK's, sharing its memory."""
+    return numpy_support.numpy_to_vtk(array)  # type: ignore[no-untyped-call]
+
+
+def _to_numpy(array: Any) -> Image:
+    return np.asarray(numpy_support.vtk_to_numpy(array))  # type: ignore[no-untyped-call]
+
+
 def _points(points: NDArray[np.float32]) -> vtkPoints:
     holder = vtkPoints()
-    holder.SetData(numpy_to_vtk(np.ascontiguousarray(points)))
+    holder.SetData(_to_vtk(np.ascontiguousarray(points)))
     return holder
 
 
 def _cells(nodes: NDArray[np.int32]) -> vtkCellArray:
     """Return cells of equal size, sharing the memory of (m, k) `nodes`."""
     cells = vtkCellArray()
-    cells.SetData(nodes.shape[1], numpy_to_vtk(nodes.reshape(-1)))
+    cells.SetData(nodes.shape[1], _to_vtk(nodes.reshape(-1)))
     return cells
 
 

@@ -1,0 +1,138 @@
+"""What the user can do, under menus and shortcuts."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QCursor, QKeySequence
+from PySide6.QtWidgets import QFileDialog, QMenu
+
+from app.scene.scene import VIEWS
+
+if TYPE_CHECKING:
+    from app.window import MainWindow
+
+ENDINGS = ".ply .obj .stl .off .vtp .vtk .xyz .txt .csv .npy .npz .las .laz"
+
+
+class Actions(QObject):
+    """The menus, and what stands behind them."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        self.all: list[QAction] = []
+        bar = window.menuBar()
+        file = bar.addMenu(self.tr("&File"))
+        self._add(file, self.tr("&Open two surfaces…"), self.open_both, "Ctrl+O")
+        self._add(file, self.tr("Open surface &1…"), lambda: self.open_one(1), "Ctrl+1")
+        self._add(file, self.tr("Open surface &2…"), lambda: self.open_one(2), "Ctrl+2")
+        self._add(file, self.tr("Open the &sample faces"), self.open_sample)
+        file.addSeparator()
+        self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
+        edit = bar.addMenu(self.tr("&Edit"))
+        session = window.session
+        self.undo = self._add(edit, self.tr("&Undo"), session.undo, "Ctrl+Z")
+        self.redo = self._add(edit, self.tr("&Redo"), session.redo, "Ctrl+Shift+Z")
+        edit.addSeparator()
+        self.swap = self._add(edit, self.tr("&Exchange surfaces"), self.swap_surfaces, "Ctrl+E")
+        self._add(edit, self.tr("&Copy measures as table"), window.measures.copy_table)
+        self.cancel = self._add(edit, self.tr("&Stop comparing"), session.runner.cancel, "Esc")
+        self.view_menu = bar.addMenu(self.tr("&View"))
+        names = [frame.canvas.accessibleName() for frame in window.grid.frames]
+        for view in range(VIEWS):
+            text = self.tr("Only {}").format(names[view].lower())
+            self._add(self.view_menu, text, partial(self._fill, view), str(view + 1))
+        self._add(self.view_menu, self.tr("All four views"), lambda: self._fill(None), "0")
+        self.view_menu.addSeparator()
+        self._add(self.view_menu, self.tr("Map or relief"), self._toggle_relief, "M")
+        self._add(self.view_menu, self.tr("Show everything"), window.display.go_home, "Home")
+        self._add(self.view_menu, self.tr("Triangles' sides"), self._toggle_edges, "E")
+        self._add(self.view_menu, self.tr("Dark or light"), self._toggle_dark, "Ctrl+D")
+        self.view_menu.addSeparator()
+        for dock in window.docks:
+            self.view_menu.addAction(dock.toggleViewAction())
+
+    def begin(self, paths: list[Path]) -> None:
+        """Open what the command named, or the sample."""
+        if paths:
+            self.take(paths)
+        else:
+            self.open_sample()
+
+    def take(self, paths: list[Path]) -> None:
+        """Take in dropped files; one file asks where it belongs if both places are taken."""
+        session = self._window.session
+        if len(paths) > 2:
+            text = self.tr("Two surfaces at a time, please: {} files were dropped")
+            self._window.banner.tell(text.format(len(paths)))
+        elif len(paths) == 1 and session.document.complete:
+            self._ask(paths[0])
+        elif paths:
+            session.open(paths)
+
+    def open_sample(self) -> None:
+        """Open the built-in pair."""
+        from surfcmp_core.samples import sample_pair
+
+        try:
+            self._window.session.open(sample_pair("face"))
+        except FileNotFoundError as error:
+            self._window.banner.tell(str(error))
+
+    def open_both(self) -> None:
+        """Ask for two files."""
+        paths = self._choose(self.tr("Open two surfaces"), several=True)
+        self.take(paths)
+
+    def open_one(self, number: int) -> None:
+        """Ask for one file, to be surface `number`."""
+        paths = self._choose(self.tr("Open surface {}").format(number), several=False)
+        if paths:
+            self._window.session.open(paths, number)
+
+    def swap_surfaces(self) -> None:
+        """Exchange surfaces 1 and 2."""
+        session = self._window.session
+        if session.document.complete:
+            session.set_document(session.document.swapped())
+
+    def _choose(self, title: str, several: bool) -> list[Path]:
+        globs = " ".join("*" + ending for ending in ENDINGS.split())
+        kinds = self.tr("Surfaces ({})").format(globs)
+        if several:
+            names = QFileDialog.getOpenFileNames(self._window, title, "", kinds)[0]
+        else:
+            names = [QFileDialog.getOpenFileName(self._window, title, "", kinds)[0]]
+        return [Path(name) for name in names if name]
+
+    def _ask(self, path: Path) -> None:
+        self.question = QMenu(self._window)
+        self.question.addSection(path.name)
+        for number in (1, 2):
+            action = self.question.addAction(self.tr("Use as surface {}").format(number))
+            action.triggered.connect(lambda _=False, n=number: self._window.session.open([path], n))
+        self.question.popup(QCursor.pos())
+
+    def _fill(self, view: int | None) -> None:
+        self._window.display.change(filled=view)
+
+    def _toggle_relief(self) -> None:
+        self._window.display.change(relief=not self._window.display.state.relief)
+
+    def _toggle_edges(self) -> None:
+        self._window.display.change(edges=not self._window.display.state.edges)
+
+    def _toggle_dark(self) -> None:
+        self._window.display.change(dark=not self._window.display.state.dark)
+
+    def _add(self, menu: QMenu, text: str, work: Callable[[], object], keys: str = "") -> QAction:
+        action = QAction(text, self._window)
+        action.triggered.connect(lambda: work())
+        if keys:
+            action.setShortcut(QKeySequence(keys))
+        menu.addAction(action)
+        self.all.append(action)
+        return action

@@ -1,0 +1,1 @@
+"""What ties the model to the views and the jobs."""

@@ -1,0 +1,157 @@
+"""Keeps the view state and the camera, and has the views drawn."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.model.view_state import ViewState
+from app.scene.camera import Camera, home, showing
+from app.scene.content import Content
+from app.scene.pick import triangle_at
+from app.views.grid import ViewGrid
+from app.views.studio import Pictures, Studio, Wish
+
+REST_MILLISECONDS = 140
+"""The camera rests when it has not moved for so long."""
+
+
+class Display(QObject):
+    """One camera and one state for the four views."""
+
+    changed = Signal()
+    """The state or the content is another one."""
+    shown = Signal(object)
+    """Pictures reached the screen."""
+
+    def __init__(self, grid: ViewGrid) -> None:
+        super().__init__()
+        self._grid = grid
+        self._studio: Studio | None = None
+        self.state = ViewState()
+        self.content: Content | None = None
+        self._camera = Camera()
+        self._rest = QTimer(self, singleShot=True, interval=REST_MILLISECONDS)
+        self._rest.timeout.connect(self.draw)
+        for view, frame in enumerate(grid.frames):
+            canvas = frame.canvas
+            canvas.turned.connect(self._turn)
+            canvas.panned.connect(lambda right, up: self._move(lambda c: c.panned(right, up)))
+            canvas.zoomed.connect(self._zoom)
+            canvas.resized.connect(self._move_nothing)
+            canvas.clicked.connect(lambda right, up, v=view: self._pick(v, right, up))
+            for source in (canvas.filled, frame.title.filled):
+                source.connect(lambda v=view: self.toggle_fill(v))
+
+    @property
+    def camera(self) -> Camera:
+        """Where all views look from."""
+        return self._camera
+
+    def set_content(self, content: Content | None) -> None:
+        """Show another comparison; the camera stays where the box is much the same."""
+        old, self.content = self.content, content
+        self.state = replace(self.state, picked=None, chain=None, brush=None)
+        if content is not None and (old is None or not _alike(old, content)):
+            self._camera = home(content.geometry, self._aspect(), self.state.relief)
+        self.changed.emit()
+        self.draw()
+
+    def change(self, **changes: Any) -> None:
+        """Replace fields of the view state."""
+        state = replace(self.state, **changes)
+        if state == self.state:
+            return
+        old, self.state = self.state, state
+        if old.relief != state.relief and self.content is not None:
+            self._camera = self._camera.from_above()
+            if state.relief:
+                self._camera = replace(
+                    home(self.content.geometry, self._aspect(), True),
+                    height=self._camera.height,
+                )
+        if old.filled != state.filled:
+            self._grid.fill(state.filled)
+        self.changed.emit()
+        self.draw()
+
+    def toggle_fill(self, view: int) -> None:
+        """Let one view have all the place, or give it back."""
+        self.change(filled=None if self.state.filled == view else view)
+
+    def go_home(self) -> None:
+        """Show everything again, as at first."""
+        if self.content is not None:
+            self._camera = home(self.content.geometry, self._aspect(), self.state.relief)
+            self.draw()
+
+    def look_at(self, low: Any, high: Any) -> None:
+        """Move to a box in the scene's coordinates, keeping the direction of view."""
+        if not self.state.relief:
+            low, high = low.copy(), high.copy()
+            low[2] = high[2] = 0.0
+        self._camera = showing(low, high, self._aspect(), self._camera)
+        self.draw()
+
+    def draw(self) -> None:
+        """Have the views drawn sharply."""
+        self._rest.stop()
+        self._wish(moving=False)
+
+    def close(self) -> None:
+        """End the drawing."""
+        self._rest.stop()
+        if self._studio is not None:
+            self._studio.close()
+            self._studio = None
+
+    def _move(self, step: Callable[[Camera], Camera]) -> None:
+        self._camera = step(self._camera)
+        self._wish(moving=True)
+        self._rest.start()
+
+    def _move_nothing(self) -> None:
+        self._move(lambda camera: camera)
+
+    def _turn(self, right: float, up: float) -> None:
+        self._move(lambda camera: camera.turned(right, up))
+
+    def _zoom(self, factor: float, right: float, up: float) -> None:
+        self._move(lambda camera: camera.zoomed(factor, right, up))
+
+    def _pick(self, view: int, right: float, up: float) -> None:
+        if self.content is None:
+            return
+        found = triangle_at(
+            self.content.geometry.patches[2], self._camera, self.state.relief, right, up
+        )
+        self.change(picked=None if found == self.state.picked else found)
+
+    def _aspect(self) -> float:
+        sizes = self._grid.sizes()
+        return sizes[0][1] / sizes[0][2] if sizes else 1.0
+
+    def _wish(self, moving: bool) -> None:
+        for frame in self._grid.frames:
+            frame.canvas.turning = self.state.relief
+        if not self._grid.isVisible():
+            return
+        if self._studio is None:
+            if self.content is None:
+                return
+            self._studio = Studio()
+            self._studio.drawn.connect(self._receive)
+        self._studio.show(Wish(self.content, self.state, self._camera, self._grid.sizes(), moving))
+
+    def _receive(self, pictures: Pictures) -> None:
+        self._grid.show_pictures(pictures)
+        self.shown.emit(pictures)
+
+
+def _alike(one: Content, two: Content) -> bool:
+    """Whether the camera for one shows the other well."""
+    a, b = one.geometry, two.geometry
+    size = float(((a.high - a.low) ** 2).sum() ** 0.5)
+    shift = abs(a.origin - b.origin).max() + abs(a.low - b.low).max() + abs(a.high - b.high).max()
+    return bool(shift < 0.02 * size)

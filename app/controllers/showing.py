@@ -1,0 +1,167 @@
+"""Carries what changed to the widgets that show it."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from app.jobs.comparing import Compared
+from app.model.view_state import Heatmap
+from app.numbers import thousands
+from app.panels.toolbar import HEATMAPS
+from app.scene.furniture import colour_bar, legend
+from app.scene.scale import fitting_limit
+from surfcmp_core.comparison import Comparison
+
+if TYPE_CHECKING:
+    from app.window import MainWindow
+
+
+class Showing(QObject):
+    """Ties the session and the display to the window's parts."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        session, display, toolbar = window.session, window.display, window.toolbar
+        session.changed.connect(self._session_changed)
+        session.compared.connect(self._compared)
+        session.failed.connect(window.banner.tell)
+        session.runner.progressed.connect(window.progress.tell)
+        window.progress.cancel_asked.connect(session.runner.cancel)
+        display.changed.connect(self._state_changed)
+        display.shown.connect(lambda _: self._measure_views())
+        toolbar.surface_asked.connect(lambda n: window.actions_of.open_one(n))
+        toolbar.swap_asked.connect(lambda: window.actions_of.swap_surfaces())
+        toolbar.relief_chosen.connect(lambda on: display.change(relief=on))
+        toolbar.heatmap_chosen.connect(lambda kind: display.change(heatmap=kind))
+        window.scale.changed.connect(lambda scale: display.change(scale=scale))
+        window.scale.fit_asked.connect(self._fit)
+        window.empty.open_asked.connect(self._open_missing)
+        window.empty.sample_asked.connect(lambda: window.actions_of.open_sample())
+        self._dark: bool | None = None
+        self._session_changed()
+        self._state_changed()
+
+    @property
+    def unit(self) -> str:
+        """The length unit, as the files or the user state it; empty where nobody does."""
+        shown = self._window.session.shown
+        if shown is None:
+            return ""
+        stated = [surface.unit for surface in shown.content.comparison.surfaces]
+        return shown.document.unit or (stated[0] if stated[0] == stated[1] else None) or ""
+
+    def _session_changed(self) -> None:
+        window, session = self._window, self._window.session
+        busy = session.runner.busy
+        window.toolbar.show_paths(session.document.paths)
+        window.actions_of.undo.setEnabled(session.history.can_undo)
+        window.actions_of.redo.setEnabled(session.history.can_redo)
+        window.actions_of.swap.setEnabled(session.document.complete)
+        window.actions_of.cancel.setEnabled(busy)
+        window.empty.tell(session.document.paths, busy)
+        window.pages.setCurrentWidget(window.grid if session.shown else window.empty)
+        if not busy:
+            window.progress.hide()
+        elif not window.progress.isVisible():
+            window.progress.begin()
+            window.banner.hide()
+
+    def _compared(self, result: Compared) -> None:
+        window, content = self._window, result.content
+        comparison = content.comparison
+        state = window.display.state
+        if not state.scale.pinned:
+            limit = fitting_limit(comparison.mean_signed, comparison.area)
+            window.display.change(scale=replace(state.scale, limit=limit))
+        window.pages.setCurrentWidget(window.grid)
+        window.measures.show_measures(comparison.measures, self.unit)
+        window.status.setText(self._summary(comparison))
+        window.display.set_content(content)
+        names = " – ".join(path.name for path in result.document.paths if path)
+        window.setWindowTitle(f"{names} – surfcmp")
+        if comparison.warnings:
+            window.banner.tell("\n".join(comparison.warnings))
+
+    def _summary(self, comparison: Comparison) -> str:
+        counts, measures = comparison.counts, comparison.measures
+        parts = [
+            self.tr("{} + {} nodes").format(
+                thousands(counts["nodes_1"]), thousands(counts["nodes_2"])
+            ),
+            self.tr("{} triangles, {} compared").format(
+                thousands(counts["triangles_united"]), thousands(counts["triangles_compared"])
+            ),
+            self.tr("{} chains").format(thousands(counts["chains"])),
+            self.tr("coverage {:.1f} % of 1, {:.1f} % of 2").format(
+                100 * measures.coverage_1, 100 * measures.coverage_2
+            ),
+        ]
+        dropped = sum(sum(surface.dropped.values()) for surface in comparison.surfaces)
+        merged = sum(grid.merged for grid in comparison.grids)
+        if dropped:
+            parts.append(self.tr("{} nodes dropped").format(thousands(dropped)))
+        if merged:
+            parts.append(self.tr("{} nodes merged").format(thousands(merged)))
+        parts.append(self.unit or self.tr("unit not stated"))
+        return "   ·   ".join(parts)
+
+    def _state_changed(self) -> None:
+        window, state = self._window, self._window.display.state
+        if state.dark != self._dark:
+            self._dark = state.dark
+            window.dress(state.dark)
+        window.toolbar.show_state(state)
+        window.scale.show_scale(state.scale, self.unit)
+        if window.display.content is None:
+            return
+        comparison = window.display.content.comparison
+        counts = comparison.counts
+        names = [surface.name for surface in comparison.surfaces]
+        heatmap = self.tr(HEATMAPS[state.heatmap])
+        texts = [
+            (self.tr("Surface 1"), names[0]),
+            (self.tr("Surface 2"), names[1]),
+            (
+                self.tr("United triangulation"),
+                self.tr("{} triangles").format(thousands(counts["triangles_united"])),
+            ),
+            (heatmap, self._sense(state.heatmap)),
+        ]
+        bar = colour_bar(comparison, state)
+        for view, (frame, (name, fact)) in enumerate(zip(window.grid.frames, texts, strict=True)):
+            frame.title.set_texts(name, fact)
+            frame.explain(
+                bar if view == 3 else None,
+                self.unit or self.tr("unit?"),
+                self.tr("no data"),
+                legend(comparison, state, view),
+            )
+        self._measure_views()
+
+    def _sense(self, heatmap: Heatmap) -> str:
+        if heatmap is Heatmap.SIGNED:
+            return self.tr("1 above 2 is positive")
+        if heatmap is Heatmap.REPRESENTATIVE:
+            return self.tr("where both grids have nodes")
+        return ""
+
+    def _measure_views(self) -> None:
+        height = self._window.display.camera.height
+        for frame in self._window.grid.frames:
+            frame.measure(height / max(frame.canvas.height(), 1), self.unit)
+
+    def _fit(self) -> None:
+        display = self._window.display
+        if display.content is not None:
+            comparison = display.content.comparison
+            limit = fitting_limit(comparison.mean_signed, comparison.area)
+            display.change(scale=replace(display.state.scale, limit=limit, pinned=True))
+
+    def _open_missing(self) -> None:
+        paths = self._window.session.document.paths
+        if any(paths) and not all(paths):
+            self._window.actions_of.open_one(1 if paths[0] is None else 2)
+        else:
+            self._window.actions_of.open_both()

@@ -1,0 +1,1 @@
+"""The core at work beside the window."""

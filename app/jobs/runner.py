@@ -1,0 +1,93 @@
+"""One piece of work at a time on a thread beside the window; only the newest one counts."""
+
+import threading
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from surfcmp_core.errors import Cancelled, SurfcmpError
+from surfcmp_core.progress import Progress
+
+
+class Runner(QObject):
+    """Runs work, tells its progress, and drops what was overtaken or cancelled.
+
+    Every piece of work has a generation number. The signals reach the window's thread; those of
+    an old generation are swallowed there.
+    """
+
+    progressed = Signal(str, float)
+    finished = Signal(object)
+    failed = Signal(str)
+    cancelled = Signal()
+    _told = Signal(int, str, object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._generation = 0
+        self._busy = False
+        self._threads: list[threading.Thread] = []
+        self._told.connect(self._receive)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a result is still to come."""
+        return self._busy
+
+    def start(self, work: Callable[[Progress], object]) -> None:
+        """Run ``work(progress)``; what was running is told to stop and its result dropped."""
+        self._generation += 1
+        self._busy = True
+        thread = threading.Thread(
+            target=self._work, args=(work, self._generation), name="comparison", daemon=True
+        )
+        self._threads = [t for t in self._threads if t.is_alive()] + [thread]
+        thread.start()
+
+    def cancel(self) -> None:
+        """Tell the work to stop; its result will not come."""
+        self._generation += 1
+        if self._busy:
+            self._busy = False
+            self.cancelled.emit()
+
+    def close(self, seconds: float) -> bool:
+        """Tell all work to stop, wait at most `seconds`; return whether all of it has ended."""
+        self._generation += 1
+        self._busy = False
+        for thread in self._threads:
+            thread.join(seconds / len(self._threads))
+        return not any(thread.is_alive() for thread in self._threads)
+
+    def _work(self, work: Callable[[Progress], object], generation: int) -> None:
+        def progress(stage: str, fraction: float) -> None:
+            if generation != self._generation:
+                raise Cancelled
+            self._told.emit(generation, "progress", (stage, fraction))
+
+        try:
+            self._told.emit(generation, "finished", work(progress))
+        except Cancelled:
+            pass
+        except (SurfcmpError, OSError) as error:
+            self._told.emit(generation, "failed", str(error))
+        except MemoryError:
+            self._told.emit(generation, "failed", "not enough memory for these surfaces")
+        except Exception as error:  # a fault of ours: the window stays, and says so
+            import traceback
+
+            traceback.print_exc()
+            self._told.emit(generation, "failed", f"internal error: {error!r}")
+
+    def _receive(self, generation: int, kind: str, value: object) -> None:
+        if generation != self._generation:
+            return
+        if kind == "progress":
+            assert isinstance(value, tuple)
+            self.progressed.emit(*value)
+            return
+        self._busy = False
+        if kind == "finished":
+            self.finished.emit(value)
+        else:
+            self.failed.emit(str(value))

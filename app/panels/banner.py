@@ -1,0 +1,30 @@
+"""One line about what went wrong; it stays until it is closed and blocks nothing."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel
+
+from app.panels.widgets import tool_button
+from app.theme import UNIT
+
+
+class Banner(QFrame):
+    """A line over the views."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("banner")
+        self.label = QLabel(wordWrap=True)
+        self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        close = tool_button(self.tr("Close"), self.tr("Close the message"), plain=True)
+        close.clicked.connect(self.hide)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(UNIT + 4, UNIT // 2, UNIT // 2, UNIT // 2)
+        row.addWidget(self.label, 1)
+        row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
+        self.hide()
+
+    def tell(self, text: str) -> None:
+        """Show a message."""
+        self.label.setText(text)
+        self.setAccessibleDescription(text)
+        self.show()

@@ -1,0 +1,51 @@
+"""The running work in the status bar: stage, progress, Cancel."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
+
+from app.panels.widgets import tool_button
+from app.theme import UNIT
+
+STAGES = {
+    "read": "Reading",
+    "triangulate": "Triangulating",
+    "spanning trees": "Spanning trees",
+    "locate": "Locating nodes",
+    "interpolate": "Interpolating",
+    "interface": "Tracing chains",
+    "measures": "Measuring",
+    "done": "Finishing",
+    "picture": "Preparing the picture",
+}
+
+
+class ProgressStrip(QWidget):
+    """Visible while something runs."""
+
+    cancel_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stage = QLabel()
+        self.bar = QProgressBar(maximum=1000, textVisible=False)
+        self.bar.setFixedWidth(20 * UNIT)
+        self.bar.setAccessibleName(self.tr("Progress"))
+        tip = self.tr("Stop comparing (Esc); what was shown before stays")
+        self.cancel = tool_button(self.tr("Cancel"), tip, plain=True)
+        self.cancel.clicked.connect(self.cancel_asked)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, UNIT, 0)
+        row.setSpacing(UNIT)
+        for widget in (self.stage, self.bar, self.cancel):
+            row.addWidget(widget)
+        self.hide()
+
+    def begin(self) -> None:
+        """Show that work has begun."""
+        self.tell("read", 0.0)
+        self.show()
+
+    def tell(self, stage: str, fraction: float) -> None:
+        """Show the stage and how much of the whole is done."""
+        self.stage.setText(self.tr(STAGES.get(stage, stage)) + "…")
+        self.bar.setValue(round(1000 * fraction))

@@ -1,0 +1,19 @@
+"""A comparison together with the arrays it is drawn from."""
+
+from dataclasses import dataclass
+
+from app.scene.geometry import Geometry, geometry_of
+from surfcmp_core.comparison import Comparison
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Content:
+    """What the views show."""
+
+    comparison: Comparison
+    geometry: Geometry
+
+
+def content_of(comparison: Comparison) -> Content:
+    """Return the comparison ready to be drawn."""
+    return Content(comparison, geometry_of(comparison))

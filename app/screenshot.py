@@ -1,0 +1,73 @@
+"""A picture of the window: ``python -m app.screenshot OUT.png [A B]``."""
+
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QSize, QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.views.studio import Pictures
+from app.window import MainWindow
+
+SECONDS = 120
+"""After this the picture has failed."""
+
+
+def screenshot(
+    out: Path,
+    paths: list[Path],
+    size: QSize | None = None,
+    before: Callable[[MainWindow], None] | None = None,
+) -> bool:
+    """Open files (or the sample pair), wait for the finished pictures, write a PNG; say if it is.
+
+    `before` changes the window once the comparison is shown.
+    """
+    app = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(app, QApplication)
+    app.setStyle("Fusion")
+    window = MainWindow()
+    window.resize(size or QSize(1400, 1000))
+    window.show()
+    done: list[bool] = []
+
+    def finish() -> None:
+        done.append(window.grab().save(str(out)))
+        window.close()
+        app.quit()
+
+    settled = QTimer(singleShot=True, interval=400)
+    settled.timeout.connect(finish)
+
+    def shown(pictures: Pictures) -> None:
+        nonlocal before
+        if pictures.wish.content is None or not pictures.final:
+            return
+        if before is not None:
+            change, before = before, None
+            change(window)
+        settled.start()
+
+    window.display.shown.connect(shown)
+    window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
+    QTimer.singleShot(1000 * SECONDS, app.quit)
+    window.actions_of.begin(paths)
+    app.exec()
+    return any(done)
+
+
+def main() -> int:
+    """Run as a program."""
+    if len(sys.argv) not in {2, 4}:
+        print(__doc__, file=sys.stderr)
+        return 2
+    if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    out, *paths = (Path(word) for word in sys.argv[1:])
+    return 0 if screenshot(out, paths) else 3
+
+
+if __name__ == "__main__":
+    sys.exit(main())

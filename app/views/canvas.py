@@ -1,0 +1,136 @@
+"""One view on the screen: shows its picture and tells what the mouse does over it."""
+
+from typing import override
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QEnterEvent,
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+CLICK_PIXELS = 4
+"""A press that moved less is a click."""
+WHEEL_STEP = 1.15
+
+
+class Canvas(QWidget):
+    """Places on it are told in shares of its height from its middle, upwards positive."""
+
+    turned = Signal(float, float)
+    panned = Signal(float, float)
+    zoomed = Signal(float, float, float)
+    """Factor, and the place that stays."""
+    clicked = Signal(float, float)
+    filled = Signal()
+    resized = Signal()
+    released = Signal()
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setAccessibleName(name)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(160, 120)
+        self._image: QImage | None = None
+        self._ground = QColor("white")
+        self._press: QPointF | None = None
+        self._last = QPointF()
+        self._moved = False
+        self.turning = True
+        """The left button turns; else it slides the map."""
+
+    @override
+    def sizeHint(self) -> QSize:
+        return QSize(480, 360)
+
+    def show_image(self, image: QImage | None, ground: str) -> None:
+        """Show a picture, stretched to the widget where their sizes differ."""
+        self._image = image
+        self._ground = QColor(ground)
+        self.update()
+
+    def pixels(self) -> tuple[int, int]:
+        """Width and height in device pixels."""
+        ratio = self.devicePixelRatioF()
+        return max(round(self.width() * ratio), 1), max(round(self.height() * ratio), 1)
+
+    @override
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self._ground)
+        if self._image is not None:
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+            painter.drawImage(self._target(self._image), self._image)
+
+    def _target(self, image: QImage) -> QRectF:
+        """Where the picture goes: its height fills the widget, its middle stays the middle."""
+        width = self.height() * image.width() / image.height()
+        return QRectF((self.width() - width) / 2, 0, width, self.height())
+
+    @override
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
+
+    def _place(self, position: QPointF) -> tuple[float, float]:
+        height = max(self.height(), 1)
+        return (
+            (position.x() - self.width() / 2) / height,
+            (self.height() / 2 - position.y()) / height,
+        )
+
+    @override
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._press = self._last = event.position()
+        self._moved = False
+
+    @override
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._press is None:
+            return
+        away = event.position() - self._press
+        self._moved = self._moved or away.manhattanLength() >= CLICK_PIXELS
+        if not self._moved:
+            return
+        step = event.position() - self._last
+        self._last = event.position()
+        right, up = step.x() / max(self.height(), 1), -step.y() / max(self.height(), 1)
+        left = bool(event.buttons() & Qt.MouseButton.LeftButton)
+        shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if left and self.turning and not shifted:
+            self.turned.emit(right * 3.2, up * 3.2)
+        else:
+            self.panned.emit(right, up)
+
+    @override
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._press is None:
+            return
+        self._press = None
+        if self._moved:
+            self.released.emit()
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self.clicked.emit(*self._place(event.position()))
+
+    @override
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
+        self._press = None
+        self.filled.emit()
+
+    @override
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.setCursor(
+            Qt.CursorShape.OpenHandCursor if not self.turning else Qt.CursorShape.ArrowCursor
+        )
+
+    @override
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        notches = event.angleDelta().y() / 120
+        self.zoomed.emit(WHEEL_STEP**notches, *self._place(event.position()))

@@ -1,0 +1,49 @@
+"""The four views side by side; any of them can fill the place."""
+
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from app.theme import UNIT, Theme, theme
+from app.views.frame import ViewFrame
+from app.views.studio import Pictures
+
+
+class ViewGrid(QWidget):
+    """Two rows of two views."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        super().__init__()
+        self.frames = [ViewFrame(k + 1, name) for k, name in enumerate(names)]
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(UNIT)
+        for k, frame in enumerate(self.frames):
+            layout.addWidget(frame, k // 2, k % 2)
+        for line in range(2):
+            layout.setRowStretch(line, 1)
+            layout.setColumnStretch(line, 1)
+
+    def fill(self, view: int | None) -> None:
+        """Let one view have all the place; None shows the four."""
+        for k, frame in enumerate(self.frames):
+            frame.setVisible(view is None or view == k)
+
+    def dress(self, colours: Theme) -> None:
+        """Take the colours of a theme."""
+        for frame in self.frames:
+            frame.dress(colours)
+
+    def sizes(self) -> tuple[tuple[int, int, int], ...]:
+        """View, width and height in device pixels, of each visible view."""
+        return tuple(
+            (k, *frame.canvas.pixels())
+            for k, frame in enumerate(self.frames)
+            if frame.isVisibleTo(self)
+        )
+
+    def show_pictures(self, pictures: Pictures) -> None:
+        """Put finished pictures on the canvases."""
+        ground = theme(pictures.wish.state.dark).view
+        for view, image in pictures.images.items():
+            self.frames[view].canvas.show_image(image, ground)

@@ -1,0 +1,139 @@
+"""The main window, and the program around it."""
+
+import os
+import sys
+from pathlib import Path
+from typing import override
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QLabel,
+    QMainWindow,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.actions import Actions
+from app.controllers.display import Display
+from app.controllers.session import Session
+from app.controllers.showing import Showing
+from app.panels.banner import Banner
+from app.panels.empty import EmptyState
+from app.panels.measures import MeasuresPanel
+from app.panels.progress import ProgressStrip
+from app.panels.scale import ScalePanel
+from app.panels.toolbar import Toolbar
+from app.theme import UNIT, qt_palette, style_sheet, theme
+from app.views.grid import ViewGrid
+
+CLOSING_SECONDS = 0.5
+"""How long closing waits for a comparison that runs."""
+
+
+class MainWindow(QMainWindow):
+    """Puts the parts together; what they do stands in their own files."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWindowTitle("surfcmp")
+        self.setAcceptDrops(True)
+        self.resize(1360, 900)
+        self.banner = Banner()
+        self.empty = EmptyState()
+        self.grid = ViewGrid(
+            [
+                self.tr("Surface 1"),
+                self.tr("Surface 2"),
+                self.tr("United triangulation"),
+                self.tr("Difference"),
+            ]
+        )
+        self.pages = QStackedWidget()
+        self.pages.addWidget(self.empty)
+        self.pages.addWidget(self.grid)
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(UNIT, UNIT, 0, UNIT)
+        column.setSpacing(UNIT)
+        column.addWidget(self.banner)
+        column.addWidget(self.pages, 1)
+        self.setCentralWidget(middle)
+        self.toolbar = Toolbar()
+        self.addToolBar(self.toolbar)
+        self.measures = MeasuresPanel()
+        self.scale = ScalePanel()
+        self.docks: list[QDockWidget] = []
+        self.add_dock("measures", self.tr("Measures"), self.measures)
+        self.add_dock("scale", self.tr("Colour scale"), self.scale)
+        self.resizeDocks(self.docks, [340, 340], Qt.Orientation.Horizontal)
+        self.status = QLabel()
+        self.progress = ProgressStrip()
+        self.statusBar().addWidget(self.status, 1)
+        self.statusBar().addPermanentWidget(self.progress)
+        self.statusBar().setSizeGripEnabled(False)
+        self.session = Session()
+        self.display = Display(self.grid)
+        self.actions_of = Actions(self)
+        self.showing = Showing(self)
+
+    def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
+        """Dock a panel at the right."""
+        dock = QDockWidget(title, self)
+        dock.setObjectName(name)
+        dock.setWidget(panel)
+        dock.setFeatures(
+            QDockWidget.DockWidgetFeature.DockWidgetMovable
+            | QDockWidget.DockWidgetFeature.DockWidgetFloatable
+            | QDockWidget.DockWidgetFeature.DockWidgetClosable
+        )
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.docks.append(dock)
+        return dock
+
+    def dress(self, dark: bool) -> None:
+        """Put on the dark or the light theme."""
+        colours = theme(dark)
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        app.setPalette(qt_palette(colours))
+        app.setStyleSheet(style_sheet(colours))
+        self.grid.dress(colours)
+
+    @override
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    @override
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        event.acceptProposedAction()
+        self.actions_of.take(paths)
+
+    @override
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.hide()
+        self.ended = self.session.runner.close(CLOSING_SECONDS)
+        self.display.close()
+        super().closeEvent(event)
+
+
+def run(paths: list[Path]) -> int:
+    """Show the window with these files, or with the sample pair; return the exit status."""
+    app = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(app, QApplication)
+    app.setApplicationName("surfcmp")
+    app.setStyle("Fusion")
+    window = MainWindow()
+    window.show()
+    window.actions_of.begin(paths)
+    status = app.exec()
+    if not window.ended:  # a kernel cannot be stopped half way; nothing is left to be saved
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+    return status
