@@ -16,11 +16,6 @@ def smooth_max(a: Array, b: Array, width: float) -> Array:
     return np.maximum(a, b) + np.maximum(width - np.abs(a - b), 0) ** 2 / (4 * width)
 
 
-def smooth_min(a: Array, b: Array, width: float) -> Array:
-    """Smaller of two heights, rounded off where they are within `width` of each other."""
-    return -smooth_max(-a, -b, width)
-
-
 def step(t: Array) -> Array:
     """0 below t = 0, 1 above t = 1, smooth between."""
     t = np.clip(t, 0, 1)
@@ -173,9 +168,6 @@ def face(x: Array, y: Array) -> Array:
     z = nose(x, y, z)
     return eyes(x, y, z)
 
-
-EYEBROW_HOLE = (-44.0, 38.6, 8.5, 3.6)
-"""Place and half axes of the patch of hair that the second scan lost."""
 
 _OUTLINE = (
     (0, -106), (20, -103), (38, -92), (52, -74), (62, -48), (68, -20), (71, 8), (71.5, 33),

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from face_shape import EYEBROW_HOLE, face, outline
+from face_shape import face, outline
 from numpy.typing import NDArray
 from sampling import Box, Height, Inside, mesh, roughness, rounded, scatter
 from teeth_shape import face_with_teeth, teeth
@@ -69,9 +69,8 @@ def in_before(x: Array, y: Array) -> NDArray[np.bool_]:
 
 
 def in_after(x: Array, y: Array) -> NDArray[np.bool_]:
-    """Where the second face was scanned."""
-    cx, cy, rx, ry = EYEBROW_HOLE
-    hair = ((x - cx) / rx) ** 2 + ((y - cy - 0.1 * (x - cx)) / ry) ** 2 < 1
+    """Where the second face was scanned: a patch of the right eyebrow was lost."""
+    hair = ((x + 44) / 8.5) ** 2 + ((y - 38.6 - 0.1 * (x + 44)) / 3.6) ** 2 < 1
     return (outline(x, y, np.array([3.2, 0.4, 1.1])) > 0) & ~hair
 
 
@@ -86,9 +85,10 @@ def in_jaw_scan(x: Array, y: Array) -> NDArray[np.bool_]:
 
 
 def write_ply(path: Path, points: Array, faces: NDArray[np.int32]) -> None:
-    """Binary little-endian, float32."""
+    """Write a mesh in mm, binary little-endian, float32."""
     head = (
-        "ply\nformat binary_little_endian 1.0\ncomment surfcmp sample, MIT licence\ncomment unit mm\n"
+        "ply\nformat binary_little_endian 1.0\n"
+        "comment surfcmp sample, MIT licence\ncomment unit mm\n"
         f"element vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
         f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     )

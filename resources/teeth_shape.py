@@ -14,17 +14,23 @@ from face_shape import (
     step,
 )
 
-UPPER = ((8.6, -44.2, -54.6), (6.6, -45.4, -54.0), (7.2, -43.8, -54.5), (5.6, -45.4, -53.4),
-         (5.0, -45.8, -52.8))  # fmt: skip
-LOWER = ((5.4, -63.8, -55.2), (5.8, -63.8, -55.2), (6.6, -64.8, -54.9), (5.6, -63.6, -54.6),
-         (5.2, -62.8, -54.2))  # fmt: skip
+Row = tuple[tuple[float, float, float], ...]
 """Of each tooth from the middle outwards: width, y of the gum's margin, y of the biting edge."""
 
+UPPER: Row = (
+    (8.6, -44.2, -54.6), (6.6, -45.4, -54.0), (7.2, -43.8, -54.5), (5.6, -45.4, -53.4),
+    (5.0, -45.8, -52.8),
+)  # fmt: skip
+LOWER: Row = (
+    (5.4, -63.8, -55.2), (5.8, -63.8, -55.2), (6.6, -64.8, -54.9), (5.6, -63.6, -54.6),
+    (5.2, -62.8, -54.2),
+)  # fmt: skip
 
-def crowns(x: Array, y: Array, teeth: tuple[tuple[float, float, float], ...]) -> Array:
+
+def crowns(x: Array, y: Array, row: Row) -> Array:
     """Front of a row of teeth above its arch; far below 0 between them."""
     ax, left, z = np.abs(x), 0.0, np.full_like(x, -9.0)
-    for width, margin, edge in teeth:
+    for width, margin, edge in row:
         u = (ax - left - width / 2) / (width / 2 + 0.1)
         v = (y - (margin + edge) / 2) / (abs(margin - edge) / 2 + 1.0)
         v_gum = v * np.sign(margin - edge)  # 1 at the gum, -1 at the biting edge
@@ -36,14 +42,14 @@ def crowns(x: Array, y: Array, teeth: tuple[tuple[float, float, float], ...]) ->
     return z
 
 
-def gums(x: Array, y: Array, teeth: tuple[tuple[float, float, float], ...]) -> Array:
+def gums(x: Array, y: Array, row: Row) -> Array:
     """Gum above its arch: full over the roots, fading to the dark gap beyond the biting edges."""
     ax, left, roots = np.abs(x), 0.0, np.zeros_like(x)
-    side = np.sign(teeth[0][1] - teeth[0][2])
-    for width, _, _ in teeth:
+    side = np.sign(row[0][1] - row[0][2])
+    for width, _, _ in row:
         roots = roots + np.exp(-(((ax - left - width / 2) / (0.36 * width)) ** 2))
         left += width
-    beyond = (teeth[0][1] - y) * side  # mm from the margin toward the biting edge
+    beyond = (row[0][1] - y) * side  # mm from the margin toward the biting edge
     papillae = step((beyond - 2.2 + 3.2 * (roots - 0.3)) / 4.0)
     return 0.3 + 0.9 * roots * step((1 - beyond) / 5) - 4.6 * papillae
 
@@ -54,13 +60,7 @@ def teeth(x: Array, y: Array) -> Array:
     lower = 92.6 - 0.0190 * x**2 - 2e-6 * x**4
     top = upper + smooth_max(crowns(x, y, UPPER), gums(x, y, UPPER), 0.5)
     bottom = lower + smooth_max(crowns(x, y, LOWER), gums(x, y, LOWER), 0.5)
-    return smooth_max(np.where(y > -56.5, top, -np.inf), bottom, 0.3)
-
-
-def opening(x: Array, y: Array) -> Array:
-    """How far inside the bared mouth, up or down from the nearer lip, in mm; negative outside."""
-    upper, lower = lip_lines(x)
-    return np.minimum(upper - y, y - lower)
+    return smooth_max(top - 6 * step((-55.5 - y) / 3), bottom, 0.3)
 
 
 def lip_lines(x: Array) -> tuple[Array, Array]:
@@ -76,4 +76,5 @@ def face_with_teeth(x: Array, y: Array) -> Array:
     z = z - 2.5 * hill(x, y, 0, -77, 19, 4.5)  # fold above the chin
     z = lips(x, y, z, upper, lower, 30)
     z = eyes(x, y, nose(x, y, z))
-    return z + step(opening(x, y) / 1.5) * np.minimum(teeth(x, y) - z, 0)
+    inside = np.minimum(upper - y, y - lower)  # mm from the nearer lip
+    return z + step(inside / 1.5) * np.minimum(teeth(x, y) - z, 0)
