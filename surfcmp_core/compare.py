@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison, Domain, Options, Weight
 from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
-from surfcmp_core.domain.compared import Reason, reasons, states_of_triangles
-from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at
+from surfcmp_core.domain.compared import Reason, reasons
+from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interpolation import interpolate

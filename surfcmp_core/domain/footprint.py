@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
 from surfcmp_core.kernel import kernel
+from surfcmp_core.localisation.localisation import walk_to
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import following, leaving_edges, preceding
@@ -114,16 +115,26 @@ def _at_nodes(
 
 
 @kernel
-def _longest_edges(
-    nodes: NDArray[np.float64], start: NDArray[np.int32], real: int, longest: NDArray[np.float64]
-) -> None:
+def _keep_short(
+    nodes: NDArray[np.float64],
+    start: NDArray[np.int32],
+    real: int,
+    max_edge: float,
+    state: NDArray[np.uint8],
+) -> float:
+    """Mark triangles without a longer edge as DATA, the others as holes; return the data's area."""
+    area = 0.0
     for t in range(real):
-        longest[t] = 0.0
-        for h in range(3 * t, 3 * t + 3):
-            a, b = start[h], start[following(h)]
-            longest[t] = max(
-                longest[t], np.hypot(nodes[a, 0] - nodes[b, 0], nodes[a, 1] - nodes[b, 1])
-            )
+        a, b, c = start[3 * t], start[3 * t + 1], start[3 * t + 2]
+        ux, uy = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
+        vx, vy = nodes[c, 0] - nodes[a, 0], nodes[c, 1] - nodes[a, 1]
+        longest = max(np.hypot(ux, uy), np.hypot(vx, vy), np.hypot(vx - ux, vy - uy))
+        if longest <= max_edge:
+            state[t] = 0
+            area += 0.5 * (ux * vy - uy * vx)
+        else:
+            state[t] = 2
+    return area
 
 
 def _areas(nodes: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
@@ -189,16 +200,32 @@ def footprint_of_cloud(
     if max_edge is None:
         steps = t.nodes[tree[:, 0]] - t.nodes[tree[:, 1]]
         max_edge = 4.0 * float(np.quantile(np.hypot(steps[:, 0], steps[:, 1]), 0.95))
-    longest = np.empty(t.real)
-    _longest_edges(t.nodes, t.start, t.real, longest)
-    state = np.full(len(t.start) // 3, HOLE, np.uint8)
-    short = longest <= max_edge
-    state[: t.real][short] = DATA
+    state = np.empty(len(t.start) // 3, np.uint8)
+    area = _keep_short(t.nodes, t.start, t.real, max_edge, state)
     _flood_outside(t.twin, t.real, state)
     at_node = np.empty(len(t.nodes), np.uint8)
     _at_nodes(t.start, state, at_node)
-    area = float(_areas(t.nodes, t.triangles[short]).sum())
     return Footprint(t, state, at_node, None, area, max_edge)
+
+
+@kernel
+def _state_at(
+    nodes: NDArray[np.float64],
+    start: NDArray[np.int32],
+    twin: NDArray[np.int32],
+    state: NDArray[np.uint8],
+    triangle: int,
+    px: float,
+    py: float,
+) -> int:
+    """State at a place that was found in a triangle; data reach to the border of its triangles."""
+    if state[triangle] != 0 and start[3 * triangle + 2] >= 0:
+        for h in range(3 * triangle, 3 * triangle + 3):
+            if state[twin[h] // 3] == 0:
+                a, b = start[h], start[following(h)]
+                if orientation(nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1], px, py) == 0.0:
+                    return 0
+    return int(state[triangle])
 
 
 @kernel
@@ -212,25 +239,90 @@ def _states(
     states: NDArray[np.uint8],
 ) -> None:
     for k in range(found.size):
-        t = found[k]
-        states[k] = state[t]
-        if state[t] == 0 or start[3 * t + 2] < 0:
-            continue
-        for h in range(3 * t, 3 * t + 3):  # data reaches to the border of its triangles
-            if state[twin[h] // 3] == 0:
-                a, b = start[h], start[following(h)]
-                if (
-                    orientation(
-                        nodes[a, 0],
-                        nodes[a, 1],
-                        nodes[b, 0],
-                        nodes[b, 1],
-                        queries[k, 0],
-                        queries[k, 1],
-                    )
-                    == 0.0
-                ):
-                    states[k] = 0
+        states[k] = _state_at(nodes, start, twin, state, found[k], queries[k, 0], queries[k, 1])
+
+
+@kernel
+def _states_of_triangles(
+    nodes: NDArray[np.float64],
+    start: NDArray[np.int32],
+    twin: NDArray[np.int32],
+    state: NDArray[np.uint8],
+    corners: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    corner_states: NDArray[np.uint8],
+    hints: NDArray[np.int32],
+    ask_centroids: bool,
+    states: NDArray[np.uint8],
+) -> None:
+    for t in range(triangles.shape[0]):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        p, q, r = corner_states[a], corner_states[b], corner_states[c]
+        if p == 1 or q == 1 or r == 1:
+            states[t] = 1
+        elif p == 2 or q == 2 or r == 2:
+            states[t] = 2
+        elif ask_centroids:
+            x = (corners[a, 0] + corners[b, 0] + corners[c, 0]) / 3.0
+            y = (corners[a, 1] + corners[b, 1] + corners[c, 1]) / 3.0
+            found = walk_to(nodes, start, twin, hints[a], x, y)
+            states[t] = _state_at(nodes, start, twin, state, found, x, y)
+        else:
+            states[t] = 0
+
+
+def states_of_triangles(
+    footprint: Footprint,
+    nodes: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    node_states: NDArray[np.uint8],
+    hints: NDArray[np.int32],
+    *,
+    ask_centroids: bool,
+) -> NDArray[np.uint8]:
+    """Tell which triangles of T lie where one surface has data.
+
+    Parameters
+    ----------
+    footprint : Footprint
+        Of that surface.
+    nodes, triangles : (N, 2) float64, (M, 3) int32
+        T.
+    node_states : (N,) uint8
+        DATA, OUTSIDE or HOLE at each node of T.
+    hints : (N,) int32
+        A triangle of the footprint's triangulation at or near each node of T.
+    ask_centroids : bool
+        Whether there must be data at the centroid too.
+
+    Returns
+    -------
+    (M,) uint8
+        DATA, OUTSIDE or HOLE.
+    """
+    t = footprint.triangulation
+    states = np.empty(len(triangles), np.uint8)
+    asking = ask_centroids and not footprint.is_hull
+    _states_of_triangles(
+        t.nodes,
+        t.start,
+        t.twin,
+        footprint.state,
+        nodes,
+        triangles,
+        node_states,
+        hints,
+        asking,
+        states,
+    )
+    if asking and footprint.faces is not None:
+        # nodes have been asked already: what is left are centroids beside triangles that are faces
+        corners_with_data = (node_states[triangles] == DATA).all(axis=1)
+        asked = np.flatnonzero((states != DATA) & corners_with_data)
+        centroids = nodes[triangles[asked]].mean(axis=1)
+        states[asked[covered_by(footprint.faces, centroids)]] = DATA
+        states[states == _PARTIAL] = HOLE
+    return states
 
 
 def states_at(

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.kernel import kernel
 from surfcmp_core.triangulation import Triangulation
 
 PASSED = np.uint8(1)
@@ -39,6 +40,26 @@ class Joined:
     split_edges: int
 
 
+@kernel
+def _append(
+    start: NDArray[np.int32],
+    twin: NDArray[np.int32],
+    tree: NDArray[np.int32],
+    node_offset: int,
+    edge_offset: int,
+    joined_start: NDArray[np.int32],
+    joined_twin: NDArray[np.int32],
+    marks: NDArray[np.uint8],
+) -> None:
+    for h in range(start.size):
+        joined_start[edge_offset + h] = start[h] + node_offset if start[h] >= 0 else -1
+        joined_twin[edge_offset + h] = twin[h] + edge_offset
+        marks[edge_offset + h] = 0
+    for h in tree:
+        marks[edge_offset + h] = BRIDGE
+        marks[edge_offset + twin[h]] = BRIDGE
+
+
 def join(
     first: Triangulation,
     second: Triangulation,
@@ -58,14 +79,10 @@ def join(
     Joined
     """
     n, h = len(first.nodes), len(first.start)
-    start = np.concatenate((first.start, second.start))
-    start[h:] += np.int32(n)
-    start[h:][second.start < 0] = -1
-    twin = np.concatenate((first.twin, second.twin))
-    twin[h:] += np.int32(h)
-    marks = np.zeros(len(start), np.uint8)
-    marks[tree_1] = BRIDGE
-    marks[first.twin[tree_1]] = BRIDGE
-    marks[h:][tree_2] = BRIDGE
-    marks[h:][second.twin[tree_2]] = BRIDGE
+    size = h + len(second.start)
+    start = np.empty(size, np.int32)
+    twin = np.empty(size, np.int32)
+    marks = np.empty(size, np.uint8)
+    _append(first.start, first.twin, tree_1, 0, 0, start, twin, marks)
+    _append(second.start, second.twin, tree_2, n, h, start, twin, marks)
     return Joined(np.concatenate((first.nodes, second.nodes)), start, twin, marks, n, h)

@@ -10,7 +10,7 @@ from surfcmp_core.triangulation.half_edges import following
 
 
 @kernel
-def _walk_to(
+def walk_to(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
     twin: NDArray[np.int32],
@@ -70,14 +70,14 @@ def _locate_along_tree(
     stack = np.empty(count, np.int32)
     stack[0] = 0
     depth = 1
-    found[0] = _walk_to(nodes, start, twin, 0, queries[0, 0], queries[0, 1])
+    found[0] = walk_to(nodes, start, twin, 0, queries[0, 0], queries[0, 1])
     while depth > 0:
         depth -= 1
         v = stack[depth]
         for k in range(first[v], first[v + 1]):
             w = neighbour[k]
             if found[w] < 0:
-                found[w] = _walk_to(nodes, start, twin, found[v], queries[w, 0], queries[w, 1])
+                found[w] = walk_to(nodes, start, twin, found[v], queries[w, 0], queries[w, 1])
                 stack[depth] = w
                 depth += 1
 
@@ -91,7 +91,7 @@ def _locate_from(
     found: NDArray[np.int32],
 ) -> None:
     for k in range(queries.shape[0]):
-        found[k] = _walk_to(nodes, start, twin, found[k], queries[k, 0], queries[k, 1])
+        found[k] = walk_to(nodes, start, twin, found[k], queries[k, 0], queries[k, 1])
 
 
 def locate_along_tree(

@@ -53,29 +53,44 @@ def _order_by_lowest_node(
 
 @kernel
 def _match(start: NDArray[np.int32], count: int, twin: NDArray[np.int32]) -> int:
-    """Find all twins, -1 on the border; return its length, -1 where an edge repeats."""
-    first = np.zeros(count + 1, np.int32)
-    for h in range(start.size):
-        first[start[h] + 1] += 1
-    for v in range(count):
-        first[v + 1] += first[v]
-    leaving = np.empty(start.size, np.int32)
-    fill = first[:-1].copy()
-    for h in range(start.size):
-        leaving[fill[start[h]]] = h
-        fill[start[h]] += 1
-    border = 0
+    """Find all twins, -1 on the border; return its length, -1 where an edge repeats.
+
+    Half-edges that wait for their twin hang in a list at the lower of their two nodes; the links
+    of the lists lie in `twin` itself.
+    """
+    waiting = np.full(count, -1, np.int32)
     for h in range(start.size):
         a = start[h]
         b = start[following(h)]
-        found = -1
-        for k in range(first[b], first[b + 1]):
-            if start[following(leaving[k])] == a:
-                if found >= 0:
-                    return -1
-                found = leaving[k]
-        twin[h] = found
-        if found < 0:
+        low = min(a, b)
+        high = max(a, b)
+        before = -1
+        k = waiting[low]
+        while k >= 0:
+            c = start[k]
+            if max(c, start[following(k)]) == high:
+                break
+            before = k
+            k = twin[k]
+        if k < 0:
+            twin[h] = waiting[low]
+            waiting[low] = h
+            continue
+        if start[k] == a:
+            return -1
+        if before < 0:
+            waiting[low] = twin[k]
+        else:
+            twin[before] = twin[k]
+        twin[h] = k
+        twin[k] = h
+    border = 0
+    for v in range(count):
+        k = waiting[v]
+        while k >= 0:
+            onward = twin[k]
+            twin[k] = -1
+            k = onward
             border += 1
     return border
 
