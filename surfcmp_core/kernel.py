@@ -7,7 +7,11 @@ re-association, no contraction), for the predicates are exact only then.
 from collections.abc import Callable
 from typing import Any, cast
 
-from numba import njit
+from surfcmp_core._cache import use_writable_cache
+
+use_writable_cache()  # which numba would not ask about once it is imported
+
+from numba import njit  # noqa: E402
 
 
 def kernel[F: Callable[..., Any]](function: F) -> F:
