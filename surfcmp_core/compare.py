@@ -300,6 +300,7 @@ def compare(
     node_weight = None
     if weight is not None:
         node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
+    points = [np.column_stack((grid.nodes, grid.z)) for grid in grids]
     values, measures = measure(
         united.nodes,
         united.label,
@@ -311,7 +312,12 @@ def compare(
         node_weight=node_weight,
         footprint_1=footprints[0].area,
         footprint_2=footprints[1].area,
-        hausdorff=hausdorff(first.points, second.points, threads),
+        hausdorff=_both(
+            lambda job: hausdorff(*job),
+            (points[0], points[1], triangulations[1].start[3 * found_in_2]),
+            (points[1], points[0], triangulations[0].start[3 * found_in_1]),
+            threads,
+        ),
     )
     seconds = clock.finish()
     return Comparison(

@@ -3,28 +3,42 @@
 import numpy as np
 from numpy.typing import NDArray
 
+_BATCH = 4096
+"""Nodes whose nearest neighbour is looked up at once."""
+
 
 def hausdorff(
-    points_1: NDArray[np.float64], points_2: NDArray[np.float64], threads: int = 2
-) -> tuple[float, float]:
-    """Largest distance from a node of one surface to the nearest node of the other.
+    points_1: NDArray[np.float64], points_2: NDArray[np.float64], near: NDArray[np.int32]
+) -> float:
+    """Largest distance from a node of surface 1 to the nearest node of surface 2.
+
+    A node close by, whichever, bounds a node's distance from above. The nodes with the largest
+    bounds are looked up first; those whose bound is below the largest distance found need none.
 
     Parameters
     ----------
     points_1, points_2 : (n1, 3), (n2, 3) float64
         x, y, z of the nodes, at least one of each.
-    threads : int
-        How many may search at once.
+    near : (n1,) int32
+        For each node of 1 a node of 2 that is near it.
 
     Returns
     -------
-    from_1_to_2, from_2_to_1 : float
-        Over the nodes of 1, and over the nodes of 2; same unit as the nodes.
+    float
+        In the nodes' unit.
     """
     from scipy.spatial import cKDTree
 
-    tree_1 = cKDTree(points_1)
-    tree_2 = cKDTree(points_2)
-    from_1, _ = tree_2.query(points_1, workers=threads)
-    from_2, _ = tree_1.query(points_2, workers=threads)
-    return float(from_1.max()), float(from_2.max())
+    bound = np.linalg.norm(points_1 - points_2[near], axis=1)
+    tree = cKDTree(points_2, balanced_tree=False, compact_nodes=False)
+    largest = 0.0
+    while bound.size:
+        batch = np.arange(bound.size)
+        if bound.size > _BATCH:
+            batch = np.argpartition(bound, -_BATCH)[-_BATCH:]
+        distances, _ = tree.query(points_1[batch])
+        largest = max(largest, float(distances.max()))
+        bound[batch] = 0.0
+        left = bound > largest
+        bound, points_1 = bound[left], points_1[left]
+    return largest

@@ -415,6 +415,14 @@ def test_hausdorff_against_all_pairs(n1: int, n2: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     one, two = rng.normal(size=(n1, 3)), rng.normal(size=(n2, 3))
     distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    found = hausdorff(one, two)
-    assert found == pytest.approx((distance.min(axis=1).max(), distance.min(axis=0).max()))
-    assert hausdorff(two, one) == found[::-1]
+    near = rng.integers(0, n2, n1).astype(np.int32)
+    found = hausdorff(one, two, near)
+    assert found == pytest.approx(distance.min(axis=1).max())
+
+
+def test_hausdorff_of_more_nodes_than_a_batch() -> None:
+    rng = np.random.default_rng(0)
+    one, two = rng.normal(size=(9000, 3)), rng.normal(size=(50, 3))
+    distance = np.linalg.norm(one[:, None] - two[None], axis=2)
+    found = hausdorff(one, two, np.zeros(9000, np.int32))
+    assert found == pytest.approx(distance.min(axis=1).max())
