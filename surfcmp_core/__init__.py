@@ -42,6 +42,11 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
+def __dir__() -> list[str]:
+    """Name also what has not been asked for yet."""
+    return sorted({*globals(), *__all__})
+
+
 class _Package(ModuleType):
     """The package itself, whose `compare` stays the function.
 

@@ -1,6 +1,9 @@
 """Pictures of a comparison without a display: heatmaps and the histogram."""
 
 import math
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,7 +84,7 @@ def heatmap(
             (0.28, title(document), {"fontsize": 11.5, "fontweight": "bold", "color": INK}),
             (0.5, _summary(document), {"color": QUIET}),
         ):
-            figure.text(left / page[0], 1 - down / page[1], text, **style)
+            figure.text(left / page[0], 1 - down / page[1], text, parse_math=False, **style)
     return figure
 
 
@@ -238,7 +241,16 @@ def _inches(
 def save(figure: "Figure", stream: Any, kind: str, dpi: int = 160) -> None:
     """Write a figure as "png" or "pdf" without a trace of the machine it was made on."""
     quiet = {"png": {"Software": None}, "pdf": {"Creator": None, "Producer": None}}[kind]
-    figure.savefig(stream, format=kind, dpi=dpi, metadata=quiet)
+    with any_script():
+        figure.savefig(stream, format=kind, dpi=dpi, metadata=quiet)
+
+
+@contextmanager
+def any_script() -> Iterator[None]:
+    """Draw boxes, without a word, for characters of names that the font does not have."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing")
+        yield
 
 
 def _paint(axes: "Axes", comparison: Comparison, values: NDArray[np.float64], **scale: Any) -> Any:
@@ -268,7 +280,7 @@ def short_name(file: str, limit: int = 40) -> str:
     name = base_name(file)
     if len(name) > limit:
         name = name[: limit // 2 - 1] + "…" + name[-limit // 2 :]
-    return name.replace("$", r"\$")
+    return name
 
 
 def _summary(document: Document) -> str:

@@ -15,7 +15,8 @@ def figure(value: float | None) -> str:
     if 1e-4 <= abs(value) < 1e7:
         decimals = max(0, 3 - math.floor(math.log10(abs(value))))
         return f"{value:.{decimals}f}".replace("-", "−")
-    return f"{value:.3e}".replace("e-0", "e-").replace("e+0", "e").replace("-", "−")
+    mantissa, exponent = f"{value:.3e}".split("e")
+    return f"{mantissa}e{int(exponent)}".replace("-", "−")
 
 
 def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, str]:

@@ -7,6 +7,7 @@ from surfcmp_core.report.document import Document
 from surfcmp_core.report.figures import (
     MAP_MARGINS,
     QUIET,
+    any_script,
     draw_histogram,
     draw_map,
     heatmap,
@@ -49,7 +50,8 @@ def write_pdf(comparison: Comparison, document: Document, stream: BinaryIO) -> N
     with PdfPages(stream, metadata={"Title": title(document), "Creator": "surfcmp"}) as pdf:
         for number, page in enumerate(pages, 1):
             _foot(page, document, f"{number} / {len(pages)}")
-            pdf.savefig(page, dpi=300)
+            with any_script():
+                pdf.savefig(page, dpi=300)
 
 
 def _map(comparison: Comparison, document: Document) -> "Figure":
@@ -145,5 +147,5 @@ def _foot(page: "Figure", document: Document, number: str) -> None:
 
 def _write(page: "Figure", right: float, down: float, text: str, **style: Any) -> None:
     """Set one line, its base line `down` inches below the top of the page."""
-    text = text.replace("$", r"\$").replace(r"\\$", r"\$")
-    page.text(right / _WIDTH, 1 - down / _HEIGHT, text, **{"fontsize": 8.0, **style})
+    style = {"fontsize": 8.0, **style}
+    page.text(right / _WIDTH, 1 - down / _HEIGHT, text, parse_math=False, **style)

@@ -1,0 +1,457 @@
+"""The command line, mostly within this process: options, outputs, exit statuses."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import surfcmp_core
+from app import __main__ as program
+from app.__main__ import main
+
+PROJECT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def pair(tmp_path: Path) -> tuple[str, str]:
+    """Write a flat 5 x 5 lattice, and a cloud of 60 nodes a tenth above it."""
+    x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
+    first = tmp_path / "one.xyz"
+    np.savetxt(first, np.column_stack([x.ravel(), y.ravel(), np.zeros(25)]))
+    second = tmp_path / "two.csv"
+    places = np.random.default_rng(5).random((60, 2)) * 4
+    np.savetxt(second, np.column_stack([places, np.full(60, 0.1)]), delimiter=",")
+    return str(first), str(second)
+
+
+def lines(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """Give what was said on standard error, line by line."""
+    return capsys.readouterr().err.splitlines()
+
+
+def test_compare_prints_a_table(pair: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", *pair]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert "mean_abs" in said.out
+    assert "0.1000  mm" in said.out
+    assert "warning: no unit stated in one.xyz and two.csv: taken as mm" in said.out
+
+
+def test_json_is_all_there_is_on_standard_output(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    out = tmp_path / "r.json"
+    assert main(["compare", *pair, "--json", "--quiet", "--out", str(out)]) == 0
+    said = capsys.readouterr()
+    document = json.loads(said.out)
+    assert said.err == ""
+    assert document == json.loads(out.read_text(encoding="utf-8"))
+    assert document["measures"]["mean_abs"] == pytest.approx(0.1, abs=1e-12)
+    assert document["inputs"][1]["file"] == pair[1]
+    assert document["options"]["unit"] == "mm"
+
+
+def test_the_command_line_and_python_give_the_same(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    from dataclasses import asdict
+
+    assert main(["compare", *pair, "--json", "--domain", "hull"]) == 0
+    told = json.loads(capsys.readouterr().out)["measures"]
+    first, second = (surfcmp_core.read_surface(path) for path in pair)
+    result = surfcmp_core.compare(first, second, domain="hull")
+    assert told == asdict(result.measures)
+
+
+def test_quiet_prints_nothing(pair: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", *pair, "--quiet"]) == 0
+    assert capsys.readouterr() == ("", "")
+
+
+def test_options_reach_the_result(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["--domain", "plane", "--max-edge", "inf", "--threads", "1", "--unit", "cm"]
+    arguments += ["--tolerance", "0.5", "--tolerance", "5", "--duplicates", "mean"]
+    assert main(["compare", *pair, "--json", *arguments]) == 0
+    document = json.loads(capsys.readouterr().out)
+    options = document["options"]
+    assert (options["domain"], options["threads"]) == ("plane", 1)
+    assert (options["max_edge"], options["max_edge_derived"]) == (None, False)
+    assert options["max_edge_used"] == [None, None]
+    assert options["tolerances"] == [0.5, 5.0]
+    assert options["duplicates"] == "mean"
+    assert document["measures"]["within_tolerance"] == {"0.5": 0.0, "5": pytest.approx(1.0)}
+    assert document["measures"]["mean_abs"] == pytest.approx(1.0)  # 0.1 cm
+    assert document["warnings"] == []
+
+
+def test_a_matrix_moves_the_second_surface(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    matrix = np.eye(4)
+    matrix[2, 3] = -0.6
+    np.savetxt(tmp_path / "m.txt", matrix, delimiter=", ")
+    np.save(tmp_path / "m.npy", matrix)
+    for name in ("m.txt", "m.npy"):
+        file = str(tmp_path / name)
+        assert main(["compare", *pair, "--json", "--align", file]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["measures"]["mean_signed"] == pytest.approx(0.5)
+        assert document["options"]["align"]["file"] == file
+        assert np.array_equal(document["options"]["align"]["matrix"], matrix)
+
+
+@pytest.mark.parametrize(
+    ("content", "fault"),
+    [
+        ("1 0 0\n0 1 0\n0 0 1\n", "not a 4×4 matrix of numbers"),
+        ("1 0 0 0\n0 1 0 0\n0 0 x 0\n0 0 0 1", "not a 4×4 matrix of numbers"),
+        ("1 0 0 0\n0 1 0 0\n0 0 nan 0\n0 0 0 1", "not a 4×4 matrix of numbers"),
+        ("1 0 0 0\n0 1 0 0\n0 0 1 0\n1 2 3 1", "the last row of the matrix is not 0 0 0 1"),
+        ("2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1", "not a rigid motion"),
+        ("1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1", "not a rigid motion"),
+        (None, "No such file or directory"),
+    ],
+)
+def test_a_bad_matrix_is_refused_in_one_line(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    content: str | None,
+    fault: str,
+) -> None:
+    file = tmp_path / "m.txt"
+    if content is not None:
+        file.write_text(content)
+    assert main(["compare", *pair, "--align", str(file)]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith(f"surfcmp: {file}: {fault}")
+
+
+def test_a_weight_is_linear_between_its_nodes_and_constant_outside(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from surfcmp_core.cli.weight import read_weight
+
+    file = tmp_path / "weight.txt"
+    file.write_text("0 0 1\n2 0 3\n2 2 3\n0 2 1\n")
+    weight = read_weight(file)
+    x, y = np.array([0.5, 2.0, 1.5, 9.0, -4.0, 9.0]), np.array([0.5, 1.0, 0.1, 1.0, 1.5, 9.0])
+    assert weight(x, y) == pytest.approx([1.5, 3.0, 2.5, 3.0, 1.0, 3.0])
+    assert weight(x[::-1], y[::-1]) == pytest.approx(weight(x, y)[::-1])
+
+    assert main(["compare", *pair, "--json", "--weight", str(file)]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["options"]["weight"] == str(file)
+    assert 1.0 < document["measures"]["rho_V_mu"] / document["measures"]["rho_V"] < 3.0
+
+    file.write_text("0 0 1\n2 0 -3\n2 2 3\n0 2 1\n")
+    assert main(["compare", *pair, "--weight", str(file)]) == 3
+    assert lines(capsys) == [f"surfcmp: {file}: 1 weights are below zero"]
+
+
+@pytest.mark.parametrize("project", ["z", "auto", "view:0,0,2", "view:0.1,0,1"])
+def test_directions_of_view(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str], project: str
+) -> None:
+    assert main(["compare", *pair, "--json", "--project", project, "--domain", "hull"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["options"]["project"] == project
+    assert document["measures"]["mean_abs"] == pytest.approx(0.1, rel=0.02)
+
+
+def test_a_best_fit_can_be_asked_for(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["compare", *pair, "--json", "--align", "icp"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["options"]["align"]["method"].startswith("icp")
+    assert document["measures"]["mean_abs"] < 0.01
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["compare"],
+        ["compare", "{a}"],
+        ["compare", "{a}", "{b}", "{b}"],
+        ["compare", "{a}", "{b}", "--domain", "moon"],
+        ["compare", "{a}", "{b}", "--threads", "0"],
+        ["compare", "{a}", "{b}", "--threads", "two"],
+        ["compare", "{a}", "{b}", "--max-edge", "0"],
+        ["compare", "{a}", "{b}", "--max-edge", "nan"],
+        ["compare", "{a}", "{b}", "--tolerance", "-1"],
+        ["compare", "{a}", "{b}", "--tolerance", "inf"],
+        ["compare", "{a}", "{b}", "--project", "x"],
+        ["compare", "{a}", "{b}", "--project", "view:0,0,0"],
+        ["compare", "{a}", "{b}", "--project", "view:1,2"],
+        ["compare", "{a}", "{b}", "--out", "result.docx"],
+        ["compare", "{a}", "{b}", "--out", "{b}"],
+        ["compare", "{a}", "{b}", "--out", "/nowhere/at/all/r.json"],
+        ["compare", "{a}", "{b}", "--unit", "parsec"],
+        ["compare", "{a}", "{b}", "--nonsense"],
+        ["batch"],
+        ["batch", "{a}"],
+        ["batch", "{a}", "{b}", "--out", "r.png"],
+        ["info"],
+        ["info", "{a}", "{b}"],
+        ["--nonsense"],
+        ["{a}", "{b}", "{a}"],
+    ],
+)
+def test_wrong_usage_is_2_and_found_before_the_work(
+    pair: tuple[str, str],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+) -> None:
+    monkeypatch.setattr("surfcmp_core.io.read_surface", None)
+    monkeypatch.setattr(program, "_open_window", None)
+    assert main([word.format(a=pair[0], b=pair[1]) for word in arguments]) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "Traceback" not in said.err
+    assert said.err
+
+
+@pytest.mark.parametrize("command", ["compare", "info"])
+def test_input_that_cannot_be_read_is_3_and_one_line(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    for name, content in (("none.ply", None), ("empty.xyz", ""), ("odd.doc", "1 2 3")):
+        file = tmp_path / name
+        if content is not None:
+            file.write_text(content)
+        others = [pair[0]] if command == "compare" else []
+        out = ["--out", str(tmp_path / "r.json")] if command == "compare" else []
+        assert main([command, *others, str(file), *out]) == 3
+        said = capsys.readouterr()
+        assert said.out == ""
+        (line,) = said.err.splitlines()
+        assert line.startswith(f"surfcmp: {file}: ")
+    assert not (tmp_path / "r.json").exists()
+
+
+def test_surfaces_apart_are_3_and_one_line(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    far = tmp_path / "far.xyz"
+    far.write_text("100 100 0\n101 100 0\n100 101 0\n")
+    assert main(["compare", pair[0], str(far)]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith("surfcmp: ")
+    assert "far.xyz" in line
+
+
+def test_units_that_differ_are_refused_unless_one_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    points = np.random.default_rng(1).random((50, 3))
+    files = [str(tmp_path / "a.npz"), str(tmp_path / "b.npz")]
+    for file, unit in zip(files, ("mm", "m"), strict=True):
+        np.savez(file, points=points, meta=json.dumps({"units": unit}))
+    assert main(["compare", *files]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith(f"surfcmp: {files[1]}: is in m, but the other surface in mm")
+    assert main(["compare", *files, "--unit", "m", "--quiet"]) == 0
+
+
+def test_one_stated_unit_serves_both(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    points = np.random.default_rng(1).random((50, 3))
+    np.savez(tmp_path / "a.npz", points=points, meta=json.dumps({"units": "m"}))
+    np.savetxt(tmp_path / "b.xyz", points)
+    assert main(["compare", str(tmp_path / "a.npz"), str(tmp_path / "b.xyz"), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["options"]["unit"] == "m"
+    assert document["warnings"][0] == "no unit stated in b.xyz: taken as m"
+
+
+def test_info_tells_what_a_file_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "fold.off"
+    file.write_text("OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 1\n0 4 1\n4 4 2\n3 0 1 2\n3 0 2 3\n3 0 3 1\n")
+    assert main(["info", str(file)]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    table = dict(
+        row.strip().split(maxsplit=1)
+        for row in said.out.replace("one-valued", "one-valued").splitlines()[1:]
+        if " " in row.strip()
+    )
+    assert table["kind"] == "mesh"
+    assert table["nodes"].strip() == "5"
+    assert table["triangles"].strip() == "3"
+    assert table["x"] == "0 to 4.000, extent 4.000"
+    assert table["one-valued"].startswith("no: 2 nodes share x, y with one of another z; 33.3 %")
+
+
+def test_interruption_is_130_and_leaves_nothing(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", interrupted)
+    before = sorted(tmp_path.iterdir())
+    outs = [str(tmp_path / "r.json"), "--out", str(tmp_path / "r.npz")]
+    assert main(["compare", *pair, "--out", *outs]) == 130
+    assert sorted(tmp_path.iterdir()) == before
+    assert capsys.readouterr() == ("", "")
+
+
+def test_termination_cleans_up_as_interruption_does(
+    pair: tuple[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def terminated(*_: object) -> None:
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(5)
+
+    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", terminated)
+    before = sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)
+    assert main(["compare", *pair, "--out", str(tmp_path / "r.npz")]) == 130
+    assert (sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)) == before
+
+
+def test_a_full_disk_is_3_and_one_line(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", full)
+    out = tmp_path / "r.npz"
+    assert main(["compare", *pair, "--out", str(out)]) == 3
+    assert lines(capsys) == [f"surfcmp: {out}: cannot be written (No space left on device)"]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+@pytest.mark.parametrize(
+    ("target", "status", "said"),
+    [("pipe", 130, ""), ("/dev/full", 3, "surfcmp: standard output: No space left on device\n")],
+)
+def test_a_closed_or_full_standard_output_ends_without_a_traceback(
+    pair: tuple[str, str], target: str, status: int, said: str
+) -> None:
+    if target == "pipe":
+        reader, out = os.pipe()
+        os.close(reader)
+    else:
+        out = os.open(target, os.O_WRONLY)
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "compare", *pair, "--json"],
+        stdout=out,
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
+        cwd=PROJECT,
+    )
+    os.close(out)
+    assert (done.returncode, done.stderr) == (status, said)
+
+
+def test_a_bar_is_drawn_on_a_terminal_only(
+    pair: tuple[str, str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    from surfcmp_core.cli.bar import progress_bar
+
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    with progress_bar(quiet=False) as progress:
+        progress("spanning_trees", 0.5)
+    assert "spanning trees" in capsys.readouterr().err
+    with progress_bar(quiet=True) as progress:
+        progress("spanning_trees", 0.5)
+    assert capsys.readouterr().err == ""
+
+
+def test_no_command_opens_the_window(
+    pair: tuple[str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    opened: list[list[Path]] = []
+
+    def window(paths: list[Path]) -> int:
+        opened.append(paths)
+        return 7
+
+    monkeypatch.setattr(program, "_open_window", window)
+    assert main([]) == 7
+    assert main([pair[0]]) == 7
+    assert main(list(pair)) == 7
+    assert opened == [[], [Path(pair[0])], [Path(one) for one in pair]]
+    assert main(["compere"]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith("surfcmp: compere: no such file, nor a command")
+
+
+def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"surfcmp {surfcmp_core.__version__}\n"
+    assert main(["--help"]) == 0
+    assert "compare" in capsys.readouterr().out
+    assert main(["compare", "--help"]) == 0
+    said = capsys.readouterr().out
+    for option in ("--domain", "--max-edge", "--exact", "--tolerance", "--weight", "--align"):
+        assert option in said
+    for option in ("--project", "--out", "--json", "--quiet", "--threads"):
+        assert option in said
+
+
+def test_batch_compares_all_pairs_and_goes_on_after_a_failure(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    import csv
+
+    folder = tmp_path / "more"
+    folder.mkdir()
+    (folder / "bad.xyz").write_text("1 2 3\n")
+    (folder / "notes.md").write_text("not a surface")
+    outs = [tmp_path / "r.csv", tmp_path / "r.json"]
+    arguments = [*pair, str(folder), "--out", str(outs[0]), "--out", str(outs[1])]
+    assert main(["batch", *arguments]) == 3
+    said = capsys.readouterr()
+    assert said.err.count("bad.xyz") == 2
+    assert said.out.count("failed") == 2
+    assert "0.1000 mm" in said.out
+    with outs[0].open(newline="", encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [bool(row["error"]) for row in rows] == [False, True, True]
+    assert float(rows[0]["mean_abs"]) == pytest.approx(0.1)
+    whole = json.loads(outs[1].read_text(encoding="utf-8"))
+    assert list(whole["pairs"][0])[:2] == ["schema", "program"]
+    assert list(whole["pairs"][1]) == ["inputs", "error"]
+
+    assert main(["batch", *pair, "--quiet"]) == 0
+    assert capsys.readouterr() == ("", "")
+
+
+def test_the_package_gives_what_is_asked_for() -> None:
+    import surfcmp_core.compare  # the module of this name must not hide the function
+
+    assert callable(surfcmp_core.compare)
+    assert surfcmp_core.InputError is surfcmp_core.errors.InputError
+    assert set(surfcmp_core.__all__) <= set(dir(surfcmp_core))
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        surfcmp_core.nothing  # noqa: B018
+
+
+def test_importing_the_package_imports_little() -> None:
+    code = "import surfcmp_core, sys; print(sorted({'numpy', 'numba', 'scipy'} & set(sys.modules)))"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=PROJECT
+    )
+    assert done.stdout == "[]\n"
