@@ -6,9 +6,12 @@ makes it, is written to the folder of fixtures; then the exit status is 1.
 """
 
 import argparse
+import os
 import sys
+import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from itertools import count
 from pathlib import Path
 
@@ -28,7 +31,7 @@ def fails(pair: Pair, seed: int) -> str:
         if seed % 4 == 0:
             check_unchanged(pair, merged, np.random.default_rng(seed))
     except Exception as error:  # whatever it is, it is a find
-        return f"{type(error).__name__}: {error}" or type(error).__name__
+        return f"{type(error).__name__}: {error}"
     return ""
 
 
@@ -56,6 +59,31 @@ def smaller(pair: Pair, is_bad: Callable[[Pair], bool]) -> Pair:
     return pair
 
 
+def _is_bad(pair: Pair, *, seed: int) -> bool:
+    return bool(fails(pair, seed))
+
+
+class _Watch:
+    """Ends the process, naming the pair, where a kernel does not come back."""
+
+    def __init__(self, seconds: float = 300.0) -> None:
+        self.name = ""
+        self._since = time.monotonic()
+        self._seconds = seconds
+        threading.Thread(target=self._look, daemon=True).start()
+
+    def begins(self, name: str) -> None:
+        self.name = name
+        self._since = time.monotonic()
+
+    def _look(self) -> None:
+        while True:
+            time.sleep(1.0)
+            if time.monotonic() - self._since > self._seconds:
+                print(f"{self.name}: hangs", flush=True)
+                os._exit(1)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
     parser.add_argument("--pairs", type=int, metavar="N", help="how many pairs at most")
@@ -66,31 +94,33 @@ def main() -> int:
     families = list(FAMILIES)
     found = 0
     begin = told = time.monotonic()
-    done = 0
+    watch = _Watch()
     for done in count():
         now = time.monotonic()
-        if chosen.pairs is not None and done >= chosen.pairs:
-            break
-        if chosen.seconds is not None and now - begin >= chosen.seconds:
+        rate = done / max(now - begin, 1e-9)
+        if (
+            (chosen.pairs is not None and done >= chosen.pairs)
+            or (chosen.seconds is not None and now - begin >= chosen.seconds)
+            or found >= 20
+        ):
+            print(f"{done} pairs in {now - begin:.0f} s, {found} failures", flush=True)
             break
         if now - told >= 10.0:
             told = now
-            print(
-                f"{done} pairs, {done / (now - begin):.0f} a second, {found} failures", flush=True
-            )
+            print(f"{done} pairs, {rate:.0f} a second, {found} failures", flush=True)
         family = families[done % len(families)]
         seed = 1_000_000 * (chosen.seed + 1) + done // len(families)
-        pair = pair_of(family, seed, most=_SIZES[seed % len(_SIZES)])
+        most = _SIZES[seed % len(_SIZES)]
+        watch.begins(f"pair_of({family!r}, {seed}, most={most})")
+        pair = pair_of(family, seed, most=most)
         fault = fails(pair, seed)
         if fault:
             found += 1
-            least = smaller(pair, lambda trial, seed=seed: bool(fails(trial, seed)))
+            is_bad = partial(_is_bad, seed=seed)
+            least = smaller(pair, is_bad)
             path = FOLDER / f"found_{family}_{seed}.json"
             least.save(path)
-            print(f"{pair.name}: {fault}\n  {path}", flush=True)
-            if found >= 20:
-                break
-    print(f"{done} pairs in {time.monotonic() - begin:.0f} s, {found} failures")
+            print(f"{watch.name}: {fault}\n  {path}", flush=True)
     return 1 if found else 0
 
 
