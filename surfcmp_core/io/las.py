@@ -11,7 +11,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.units import unit_named
 
-_CHUNK = 1_000_000
+_CHUNK_BYTES = 1 << 26
 _LINEAR_UNITS_KEY = 3076  # GeoTIFF: ProjLinearUnits
 _LINEAR_UNITS = {9001: "m", 9002: "ft", 9003: "us-ft"}
 
@@ -26,15 +26,33 @@ def read_las(data: bytes) -> Raw:
     start, records = (int.from_bytes(data[at : at + 4], "little") for at in (96, 100))
     if start > len(data) or records * 54 > start:
         raise InputError("its header declares more than the file has room for")
-    with laspy.open(BytesIO(data), read_evlrs=False) as reader:
+    # one thread: the many-threaded decompressor allocates whatever a damaged file asks for
+    single = laspy.LazBackend.Lazrs
+    with laspy.open(BytesIO(data), read_evlrs=False, laz_backend=single) as reader:
         header = reader.header
-        # in chunks: no more is allocated than the file yields
-        chunks = [np.empty((0, 3))]
-        chunks += [np.stack((c.x, c.y, c.z), axis=1) for c in reader.chunk_iterator(_CHUNK)]
-    points = np.concatenate(chunks)
+        size, room = header.point_format.size, len(data) - start
+        if header.are_points_compressed:
+            _check_compressed(data, start, header)
+        elif header.point_count * size > room:
+            raise InputError(f"{header.point_count} points declared, room for {room // size}")
+        chunks = reader.chunk_iterator(max(1, _CHUNK_BYTES // size))
+        parts = [np.stack((part.x, part.y, part.z), axis=1) for part in chunks]
+    points = np.concatenate([np.empty((0, 3)), *parts])
     if len(points) != header.point_count:
         raise InputError(f"{header.point_count} points declared, {len(points)} found")
     return Raw(points, unit=_unit(header.vlrs))
+
+
+def _check_compressed(data: bytes, start: int, header: Any) -> None:
+    """Refuse what the decompressor, which is not Python's, would abort the process for."""
+    [record] = header.vlrs.get("LasZipVlr") or [None]
+    if record is None or record.record_data[32:34] in (b"", b"\0\0"):  # its number of items
+        raise InputError("it does not say how its points are compressed")
+    table = int.from_bytes(data[start : start + 8], "little", signed=True)
+    if not start <= table <= len(data) - 8:
+        raise InputError("its compressed points are cut off")
+    if int.from_bytes(data[table + 4 : table + 8], "little") * header.point_format.size > len(data):
+        raise InputError("it declares more compressed chunks than it has room for")
 
 
 def _unit(records: list[Any]) -> str | None:

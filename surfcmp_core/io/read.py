@@ -70,7 +70,8 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         raise ValueError(f"unknown unit {unit!r}: {', '.join(MILLIMETRES)} are known")
     try:
         data = _bytes(path)
-        raw = READERS[path.suffix.lower()](data)
+        with np.errstate(all="ignore"):  # what overflows is found not finite below
+            raw = READERS[path.suffix.lower()](data)
         faces, dropped = triangulate(raw.polygons, len(raw.points))
         check_nodes(raw.points)
     except InputError as error:

@@ -10,9 +10,9 @@ from surfcmp_core.io.text import decode, quoted
 
 _TYPES = {
     "char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2", "int": "i4",
-    "unsigned_int": "u4", "long": "i8", "unsigned_long": "u8", "vtkidtype": "i4",  # as the legacy format stores it
-   
-    "vtktypeint32": "i4", "vtktypeint64": "i8", "float": "f4", "double": "f8",
+    "unsigned_int": "u4", "long": "i8", "unsigned_long": "u8", "float": "f4", "double": "f8",
+    "vtktypeint32": "i4", "vtktypeint64": "i8",
+    "vtkidtype": "i4",  # whatever its size in memory
 }  # fmt: skip
 _POINT_CELLS, _STRIP, _PIXEL = (1, 2, 3, 4), 6, 8
 _POLYGONS = (5, 7, 9)  # triangle, polygon, quadrilateral
