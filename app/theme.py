@@ -119,7 +119,7 @@ def style_sheet(c: Theme) -> str:
     QPushButton, QToolButton {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 12px; }}
     QPushButton:hover, QToolButton:hover {{ background: {c.hover}; }}
-    QPushButton:focus, QToolButton:focus, QComboBox:focus, QLineEdit:focus,
+    QPushButton:focus, QToolButton:focus, QLineEdit:focus,
     QDoubleSpinBox:focus {{ border-color: {c.accent}; }}
     QPushButton:disabled, QToolButton:disabled {{ color: {c.quiet}; }}
     QPushButton:checked, QToolButton:checked {{ background: {c.accent}; color: {c.on_accent};
@@ -134,16 +134,11 @@ def style_sheet(c: Theme) -> str:
     QToolButton[segment="first"] {{ border-top-right-radius: 0; border-bottom-right-radius: 0; }}
     QToolButton[segment="last"] {{ border-top-left-radius: 0; border-bottom-left-radius: 0;
         border-left: none; }}
-    QComboBox, QLineEdit, QDoubleSpinBox {{ background: {c.panel}; border: 1px solid {c.line};
+    QLineEdit, QDoubleSpinBox {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 8px; selection-background-color: {c.accent};
         selection-color: {c.on_accent}; }}
-    QComboBox:hover {{ background: {c.hover}; }}
-    QComboBox::drop-down {{ border: none; width: 20px; }}
-    QComboBox QAbstractItemView {{ background: {c.panel}; border: 1px solid {c.line};
-        selection-background-color: {c.hover}; selection-color: {c.text}; outline: none; }}
-    QDockWidget {{ font-weight: 600; }}
-    QDockWidget::title {{ background: {c.panel}; padding: 8px 12px; text-align: left; }}
-    QDockWidget > QWidget {{ background: {c.panel}; font-weight: 400; }}
+    QWidget#panel, QWidget#dockTitle {{ background: {c.panel}; }}
+    QPushButton::menu-indicator {{ image: none; width: 0; }}
     QTabBar::tab {{ background: {c.window}; color: {c.quiet}; padding: 6px 14px;
         border: none; border-bottom: 2px solid transparent; }}
     QTabBar::tab:selected {{ background: {c.panel}; color: {c.text};
@@ -176,5 +171,7 @@ def style_sheet(c: Theme) -> str:
     QFrame#banner {{ background: {c.danger_ground}; border: 1px solid {c.danger};
         border-radius: 6px; }}
     QFrame#banner QLabel {{ color: {c.danger}; }}
+    QFrame#banner[kind="note"] {{ background: {c.raised}; border-color: {c.line}; }}
+    QFrame#banner[kind="note"] QLabel {{ color: {c.text}; }}
     QFrame#card {{ background: {c.raised}; border-radius: 6px; }}
     """

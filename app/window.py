@@ -21,12 +21,14 @@ from app.actions import Actions
 from app.controllers.display import Display
 from app.controllers.session import Session
 from app.controllers.showing import Showing
+from app.icons import icon
 from app.panels.banner import Banner
 from app.panels.empty import EmptyState
 from app.panels.measures import MeasuresPanel
 from app.panels.progress import ProgressStrip
 from app.panels.scale import ScalePanel
 from app.panels.toolbar import Toolbar
+from app.panels.widgets import DockTitle
 from app.theme import UNIT, qt_palette, style_sheet, theme
 from app.views.grid import ViewGrid
 
@@ -62,6 +64,8 @@ class MainWindow(QMainWindow):
         column.addWidget(self.banner)
         column.addWidget(self.pages, 1)
         self.setCentralWidget(middle)
+        self.grid.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.grid.setFocus()
         self.toolbar = Toolbar()
         self.addToolBar(self.toolbar)
         self.measures = MeasuresPanel()
@@ -71,6 +75,7 @@ class MainWindow(QMainWindow):
         self.add_dock("scale", self.tr("Colour scale"), self.scale)
         self.resizeDocks(self.docks, [340, 340], Qt.Orientation.Horizontal)
         self.status = QLabel()
+        self.status.setContentsMargins(UNIT, 0, 0, 0)
         self.progress = ProgressStrip()
         self.statusBar().addWidget(self.status, 1)
         self.statusBar().addPermanentWidget(self.progress)
@@ -85,6 +90,7 @@ class MainWindow(QMainWindow):
         dock = QDockWidget(title, self)
         dock.setObjectName(name)
         dock.setWidget(panel)
+        dock.setTitleBarWidget(DockTitle(dock))
         dock.setFeatures(
             QDockWidget.DockWidgetFeature.DockWidgetMovable
             | QDockWidget.DockWidgetFeature.DockWidgetFloatable
@@ -102,6 +108,9 @@ class MainWindow(QMainWindow):
         app.setPalette(qt_palette(colours))
         app.setStyleSheet(style_sheet(colours))
         self.grid.dress(colours)
+        self.measures.dress(colours)
+        for title in self.findChildren(DockTitle):
+            title.hide_button.setIcon(icon("close", colours.quiet))
 
     @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

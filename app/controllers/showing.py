@@ -12,6 +12,7 @@ from app.panels.toolbar import HEATMAPS
 from app.scene.furniture import colour_bar, legend
 from app.scene.scale import fitting_limit
 from surfcmp_core.comparison import Comparison
+from surfcmp_core.report.document import unit_of
 
 if TYPE_CHECKING:
     from app.window import MainWindow
@@ -45,12 +46,11 @@ class Showing(QObject):
 
     @property
     def unit(self) -> str:
-        """The length unit, as the files or the user state it; empty where nobody does."""
+        """The length unit of the numbers."""
         shown = self._window.session.shown
         if shown is None:
             return ""
-        stated = [surface.unit for surface in shown.content.comparison.surfaces]
-        return shown.document.unit or (stated[0] if stated[0] == stated[1] else None) or ""
+        return shown.document.unit or unit_of(shown.content.comparison)
 
     def _session_changed(self) -> None:
         window, session = self._window, self._window.session
@@ -75,14 +75,16 @@ class Showing(QObject):
         if not state.scale.pinned:
             limit = fitting_limit(comparison.mean_signed, comparison.area)
             window.display.change(scale=replace(state.scale, limit=limit))
-        window.pages.setCurrentWidget(window.grid)
+        if window.pages.currentWidget() is not window.grid:
+            window.pages.setCurrentWidget(window.grid)
+            window.grid.setFocus()
         window.measures.show_measures(comparison.measures, self.unit)
         window.status.setText(self._summary(comparison))
         window.display.set_content(content)
         names = " – ".join(path.name for path in result.document.paths if path)
         window.setWindowTitle(f"{names} – surfcmp")
         if comparison.warnings:
-            window.banner.tell("\n".join(comparison.warnings))
+            window.banner.tell("\n".join(comparison.warnings), "note")
 
     def _summary(self, comparison: Comparison) -> str:
         counts, measures = comparison.counts, comparison.measures
@@ -104,7 +106,7 @@ class Showing(QObject):
             parts.append(self.tr("{} nodes dropped").format(thousands(dropped)))
         if merged:
             parts.append(self.tr("{} nodes merged").format(thousands(merged)))
-        parts.append(self.unit or self.tr("unit not stated"))
+        parts.append(self.unit)
         return "   ·   ".join(parts)
 
     def _state_changed(self) -> None:
@@ -134,7 +136,7 @@ class Showing(QObject):
             frame.title.set_texts(name, fact)
             frame.explain(
                 bar if view == 3 else None,
-                self.unit or self.tr("unit?"),
+                self.unit,
                 self.tr("no data"),
                 legend(comparison, state, view),
             )

@@ -23,8 +23,12 @@ class Banner(QFrame):
         row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
         self.hide()
 
-    def tell(self, text: str) -> None:
-        """Show a message."""
+    def tell(self, text: str, kind: str = "error") -> None:
+        """Show a message, an ``"error"`` or a ``"note"``."""
+        self.setProperty("kind", kind)
+        for widget in (self, self.label):
+            widget.style().unpolish(widget)
+            widget.style().polish(widget)
         self.label.setText(text)
         self.setAccessibleDescription(text)
         self.show()

@@ -2,8 +2,8 @@
 
 from dataclasses import asdict
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QGuiApplication
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -14,12 +14,12 @@ from PySide6.QtWidgets import (
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
-    QWidget,
 )
 
 from app.numbers import with_unit
 from app.panels.measure_names import NAMES
-from app.theme import UNIT, tabular
+from app.panels.widgets import Panel
+from app.theme import LIGHT, UNIT, Theme, tabular
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.report.meanings import NOTES, Line, lines
 
@@ -52,7 +52,7 @@ class Card(QFrame):
         self.setToolTip(tip)
 
 
-class MeasuresPanel(QWidget):
+class MeasuresPanel(Panel):
     """Every measure with its unit; what it means stands in the tooltip."""
 
     def __init__(self) -> None:
@@ -81,13 +81,14 @@ class MeasuresPanel(QWidget):
         foot.addStretch(1)
         foot.addWidget(self.copy)
         column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT + 4, 0, UNIT + 4, UNIT + 4)
+        column.setContentsMargins(UNIT + 4, UNIT // 2, UNIT + 4, UNIT + 4)
         column.setSpacing(UNIT)
         column.addLayout(row)
         column.addWidget(self.tree, 1)
         column.addLayout(foot)
         self._lines: list[Line] = []
         self._unit = ""
+        self._theme = LIGHT
 
     def show_measures(self, measures: Measures, unit: str) -> None:
         """Show all numbers of a comparison in `unit` (empty where nobody knows it)."""
@@ -95,6 +96,14 @@ class MeasuresPanel(QWidget):
         self._lines = lines(asdict(measures), unit)
         self.copy.setEnabled(True)
         self._fill_cards()
+        self._fill_tree()
+
+    def dress(self, theme: Theme) -> None:
+        """Take the colours of a theme."""
+        self._theme = theme
+        self._fill_tree()
+
+    def _fill_tree(self) -> None:
         self.tree.clear()
         group = ""
         for line in self._lines:
@@ -143,9 +152,9 @@ class MeasuresPanel(QWidget):
 
     def _add_heading(self, group: str) -> None:
         item = QTreeWidgetItem([self.tr(group)])
-        font = item.font(0)
-        font.setWeight(font.Weight.DemiBold)
-        item.setFont(0, font)
+        item.setForeground(0, QColor(self._theme.quiet))
+        item.setTextAlignment(0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom)
+        item.setSizeHint(0, QSize(0, 3 * UNIT + 4))
         item.setFlags(Qt.ItemFlag.ItemIsEnabled)
         if group in NOTES:
             item.setToolTip(0, self.tr(NOTES[group]))
@@ -155,6 +164,8 @@ class MeasuresPanel(QWidget):
     def _add_line(self, line: Line) -> None:
         value, unit = with_unit(line.value, line.power, self._unit)
         item = QTreeWidgetItem([self._name(line), value, unit])
+        item.setSizeHint(0, QSize(0, 2 * UNIT + 6))
+        item.setForeground(2, QColor(self._theme.quiet))
         item.setData(0, KEY, line.name)
         item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         item.setFont(1, tabular(self.tree.font()))

@@ -5,21 +5,20 @@ from dataclasses import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDoubleSpinBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
-    QWidget,
 )
 
 from app.model.view_state import Scale
 from app.numbers import short
+from app.panels.widgets import NumberBox, Panel
 from app.theme import UNIT
 
 
-class ScalePanel(QWidget):
+class ScalePanel(Panel):
     """Limit, bands and tolerances."""
 
     changed = Signal(object)
@@ -29,9 +28,7 @@ class ScalePanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._scale = Scale()
-        self.limit = QDoubleSpinBox(decimals=6, minimum=1e-9, maximum=1e9)
-        self.limit.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
-        self.limit.setKeyboardTracking(False)
+        self.limit = NumberBox()
         self.limit.setAccessibleName(self.tr("Largest difference with a colour of its own"))
         self.limit.valueChanged.connect(self._limit_chosen)
         self.fit = QPushButton(self.tr("Fit"))
@@ -45,7 +42,7 @@ class ScalePanel(QWidget):
         self.tolerances.editingFinished.connect(self._tolerances_chosen)
         self._unit = QLabel()
         grid = QGridLayout(self)
-        grid.setContentsMargins(UNIT + 4, 0, UNIT + 4, 0)
+        grid.setContentsMargins(UNIT + 4, UNIT // 2, UNIT + 4, UNIT + 4)
         grid.setHorizontalSpacing(UNIT)
         grid.setVerticalSpacing(UNIT)
         grid.addWidget(QLabel(self.tr("Range ±")), 0, 0)
@@ -62,6 +59,7 @@ class ScalePanel(QWidget):
         second.addWidget(self.banded)
         grid.addLayout(second, 1, 1)
         grid.setColumnStretch(1, 1)
+        grid.setRowStretch(2, 1)
 
     def show_scale(self, scale: Scale, unit: str) -> None:
         """Show the scale in force."""

@@ -2,11 +2,9 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QComboBox,
     QHBoxLayout,
     QPushButton,
     QSizePolicy,
@@ -14,10 +12,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.icons import dot, icon
 from app.model.view_state import Heatmap, ViewState
-from app.panels.widgets import tool_button
-from app.scene.colour_maps import Rgb
+from app.panels.widgets import ChoiceButton, tool_button
 from app.scene.palette import palette
+from app.theme import theme
 
 HEATMAPS = {
     Heatmap.SIGNED: "Signed difference",
@@ -47,7 +46,8 @@ class Toolbar(QToolBar):
             button.setMaximumWidth(260)
             button.setToolTip(self.tr("Open another file as surface {}").format(number))
             button.clicked.connect(lambda _=False, n=number: self.surface_asked.emit(n))
-        self.swap = tool_button("⇄", self.tr("Exchange surfaces 1 and 2"), plain=True)
+        self.swap = tool_button("", self.tr("Exchange surfaces 1 and 2"), plain=True)
+        self.swap.setIconSize(QSize(16, 16))
         self.swap.clicked.connect(self.swap_asked)
         self.addWidget(self.surfaces[0])
         self.addWidget(self.swap)
@@ -56,13 +56,9 @@ class Toolbar(QToolBar):
         gap.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.addWidget(gap)
         self.addWidget(self._relief_switch())
-        self.heatmap = QComboBox()
-        self.heatmap.setAccessibleName(self.tr("What the heatmap shows"))
-        for kind, text in HEATMAPS.items():
-            self.heatmap.addItem(self.tr(text), kind)
-        self.heatmap.activated.connect(
-            lambda row: self.heatmap_chosen.emit(Heatmap(self.heatmap.itemData(row)))
-        )
+        self.heatmap = ChoiceButton({kind: self.tr(text) for kind, text in HEATMAPS.items()})
+        self.heatmap.setToolTip(self.tr("What the fourth view shows"))
+        self.heatmap.chosen.connect(self.heatmap_chosen)
         self.addWidget(self.heatmap)
 
     def _relief_switch(self) -> QWidget:
@@ -87,7 +83,8 @@ class Toolbar(QToolBar):
         """Show the view state."""
         self.relief.setChecked(state.relief)
         self.map.setChecked(not state.relief)
-        self.heatmap.setCurrentIndex(list(HEATMAPS).index(state.heatmap))
+        self.heatmap.show_choice(state.heatmap)
+        self.swap.setIcon(icon("swap", theme(state.dark).text))
         quiet = palette(state.dark)
         for button, colour in zip(self.surfaces, (quiet.surface_1, quiet.surface_2), strict=True):
             button.setIcon(dot(colour))
@@ -100,16 +97,3 @@ class Toolbar(QToolBar):
             button.setText(room.elidedText(name, Qt.TextElideMode.ElideMiddle, 200))
             button.setAccessibleName(self.tr("Surface {}: {}").format(number, name))
         self.swap.setEnabled(all(paths))
-
-
-def dot(colour: Rgb) -> QIcon:
-    """Return a round patch of a colour."""
-    pixmap = QPixmap(24, 24)
-    pixmap.fill(QColor(0, 0, 0, 0))
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QColor(0, 0, 0, 60))
-    painter.setBrush(QColor(*colour))
-    painter.drawEllipse(4, 4, 16, 16)
-    painter.end()
-    return QIcon(pixmap)

@@ -1,6 +1,21 @@
 """Small widgets that several panels use."""
 
-from PySide6.QtWidgets import QLabel, QToolButton
+from typing import override
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QActionGroup
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
+
+from app.theme import UNIT
 
 
 def tool_button(text: str, tip: str = "", *, plain: bool = False) -> QToolButton:
@@ -20,3 +35,79 @@ def quiet_label(text: str = "") -> QLabel:
     label = QLabel(text)
     label.setProperty("kind", "quiet")
     return label
+
+
+class Panel(QWidget):
+    """A docked panel's ground."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+
+
+class DockTitle(QWidget):
+    """The line over a docked panel; dragging it moves the panel."""
+
+    def __init__(self, dock: QDockWidget) -> None:
+        super().__init__(dock)
+        self.setObjectName("dockTitle")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setFixedHeight(4 * UNIT + 4)
+        name = QLabel(dock.windowTitle())
+        name.setObjectName("title")
+        self.hide_button = tool_button("", self.tr("Hide this panel"), plain=True)
+        self.hide_button.clicked.connect(dock.hide)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(UNIT + 4, 0, UNIT // 2, 0)
+        row.addWidget(name, 1)
+        row.addWidget(self.hide_button)
+
+    @override
+    def sizeHint(self) -> QSize:
+        return QSize(super().sizeHint().width(), self.maximumHeight())
+
+
+class ChoiceButton(QPushButton):
+    """One choice out of a few, in a menu."""
+
+    chosen = Signal(object)
+
+    def __init__(self, choices: dict[object, str]) -> None:
+        super().__init__()
+        self._texts = choices
+        menu = QMenu(self)
+        group = QActionGroup(self)
+        self.choices = {}
+        for key, text in choices.items():
+            action = menu.addAction(text)
+            action.setCheckable(True)
+            action.triggered.connect(lambda _=False, k=key: self.chosen.emit(k))
+            group.addAction(action)
+            self.choices[key] = action
+        self.setMenu(menu)
+
+    def show_choice(self, key: object) -> None:
+        """Show what is chosen."""
+        self.setText(f"{self._texts[key]}  ▾")
+        self.choices[key].setChecked(True)
+
+
+class NumberBox(QDoubleSpinBox):
+    """A positive number, written as short as it is."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setDecimals(9)
+        self.setRange(1e-9, 1e9)
+        self.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
+        self.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
+        self.setKeyboardTracking(False)
+
+    @override
+    def textFromValue(self, value: float) -> str:
+        return f"{value:.6g}"
+
+    @override
+    def valueFromText(self, text: str) -> float:
+        return float(text.replace(",", "."))

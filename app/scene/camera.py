@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from app.scene.geometry import Geometry
 
 Vector = NDArray[np.float64]
+MARGIN = 1.1
+"""Room around what is shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,17 +90,23 @@ def showing(low: Vector, high: Vector, aspect: float, camera: Camera | None = No
     corners = np.array([[box[(k >> axis) & 1][axis] for axis in range(3)] for k in range(8)])
     flat = replace(start, focus=_tuple(centre), height=1.0)
     seen = np.abs(flat.project(corners)).max(axis=0)
-    height = 2 * max(seen[1], seen[0] / max(aspect, 1e-6)) * 1.06
+    height = 2 * max(seen[1], seen[0] / max(aspect, 1e-6)) * MARGIN
     return replace(flat, height=float(height) or 1.0)
 
 
 def home(geometry: Geometry, aspect: float, relief: bool) -> Camera:
     """Return the first look at a comparison: from above, slightly turned in relief."""
-    low, high = geometry.low.copy(), geometry.high.copy()
+    camera = Camera().turned(np.deg2rad(18), np.deg2rad(-8)) if relief else Camera()
+    points = [patch.points[:: len(patch.points) // 20_000 + 1] for patch in geometry.patches[:2]]
+    nodes = np.concatenate(points).astype(np.float64)
     if not relief:
-        low[2] = high[2] = 0.0
-        return showing(low, high, aspect)
-    return showing(low, high, aspect, Camera().turned(np.deg2rad(18), np.deg2rad(-8)))
+        nodes[:, 2] = 0.0
+    seen = camera.project(nodes)
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    right, up = (low[:2] + high[:2]) / 2
+    width, height = high[:2] - low[:2]
+    centred = camera.panned(-right, -up)
+    return replace(centred, height=float(max(height, width / max(aspect, 1e-6))) * MARGIN or 1.0)
 
 
 def _rotation(axis: Vector, angle: float) -> Vector:

@@ -26,7 +26,7 @@ LIGHT = Palette(
     surface_2=(222, 206, 178),
     shared=(206, 206, 206),
     edge=(32, 40, 52),
-    no_data=(201, 204, 209),
+    no_data=(168, 173, 182),
     accent=(0, 122, 204),
 )
 DARK = Palette(
@@ -35,7 +35,7 @@ DARK = Palette(
     surface_2=(180, 160, 126),
     shared=(130, 130, 130),
     edge=(8, 10, 14),
-    no_data=(74, 78, 86),
+    no_data=(84, 89, 98),
     accent=(92, 188, 255),
 )
 

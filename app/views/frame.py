@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from app.icons import icon
 from app.scene.furniture import ColourBar, Swatch
 from app.theme import UNIT, Theme
 from app.views.canvas import Canvas
@@ -32,7 +33,9 @@ class ViewTitle(QWidget):
         self._fact.setMinimumWidth(0)
         self.button = QToolButton()
         self.button.setProperty("kind", "plain")
-        self.button.setText(str(number))
+        self.button.setToolTip(
+            self.tr("Let this view fill the window, or give the place back ({})").format(number)
+        )
         self.button.clicked.connect(self.filled)
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT + 4, 0, UNIT // 2, 0)
@@ -73,6 +76,7 @@ class ViewFrame(QFrame):
 
     def dress(self, theme: Theme) -> None:
         """Take the colours of a theme."""
+        self.title.button.setIcon(icon("fill", theme.quiet))
         for overlay in (self.bar, self.legend, self.length):
             overlay.dress(theme)
 

@@ -16,6 +16,7 @@ if sys.platform == "linux":  # needs no X server and starts three times faster t
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - makes the classes below draw
+from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import (
@@ -27,8 +28,8 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 Image = NDArray[np.uint8]
-EDGE_PIXELS = 4.0
-"""Sides shorter than this on the screen are not drawn; they reach full strength at three times."""
+EDGE_PIXELS = (2.0, 9.0)
+"""Sides shorter than the first on the screen are not drawn; at the second they are full."""
 EDGE_OPACITY = 0.45
 LINE_PIXELS = 3.0
 
@@ -92,7 +93,7 @@ class Renderer:
             corners[tile.view] = (x, y, tile)
         self._window.Render()
         box = (0, 0, width - 1, height - 1)
-        self._window.GetRGBACharPixelData(*box, 0, self._pixels, 0)  # type: ignore[call-overload]
+        self._window.GetRGBACharPixelData(*box, 0, self._pixels, 0)
         whole = _to_numpy(self._pixels).reshape(height, width, 4)
         return {
             view: np.ascontiguousarray(whole[y : y + tile.height, x : x + tile.width][::-1])
@@ -121,8 +122,6 @@ class _View:
         mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
         surface = self._mesh.GetProperty()
         surface.SetInterpolationToGouraud()
-        surface.SetAmbient(0.22)
-        surface.SetDiffuse(0.86)
         surface.SetSpecular(0.06)
         surface.SetSpecularPower(18)
         self.renderer.AutomaticLightCreationOff()
@@ -164,10 +163,14 @@ class _View:
 
     def _paint(self, layer: MeshLayer) -> None:
         mapper = self._mesh.GetMapper()
+        plain = isinstance(layer.colours, tuple)
+        surface = self._mesh.GetProperty()
+        surface.SetAmbient(0.22 if plain else 0.46)  # flat light where a colour is to be read
+        surface.SetDiffuse(0.86 if plain else 0.58)
         if isinstance(layer.colours, tuple):
             self._data.GetCellData().SetScalars(None)
             mapper.ScalarVisibilityOff()
-            self._mesh.GetProperty().SetColor(*_unit(layer.colours))
+            surface.SetColor(*_unit(layer.colours))
             return
         scalars = _to_vtk(np.ascontiguousarray(layer.colours))
         self._data.GetCellData().SetScalars(scalars)
@@ -195,7 +198,8 @@ class _View:
         strength = 0.0
         if fine and layer is not None and layer.edges:
             size = layer.patch.edge * pixels / camera.height
-            strength = float(np.clip((size - EDGE_PIXELS) / (2 * EDGE_PIXELS), 0, 1))
+            low, high = EDGE_PIXELS
+            strength = float(np.clip((size - low) / (high - low), 0, 1))
         surface.SetEdgeVisibility(strength > 0)
         surface.SetEdgeOpacity(EDGE_OPACITY * strength)
 
