@@ -16,8 +16,8 @@ MaxEdgeOption = Annotated[
     typer.Option(
         "--max-edge",
         metavar="X",
-        help="Longest edge over which a cloud has data; inf: no limit. "
-        "[default: derived from the node spacing]",
+        help="Longest edge over which a cloud has data; inf: no limit.",
+        show_default="derived from the node spacing",
     ),
 ]
 ExactOption = Annotated[
@@ -28,7 +28,8 @@ ToleranceOption = Annotated[
     typer.Option(
         "--tolerance",
         metavar="X",
-        help="Share of the area within X; repeatable. [default: 0.5, 1, 2]",
+        help="Share of the area within X; repeatable.",
+        show_default="0.5, 1, 2",
     ),
 ]
 DuplicatesOption = Annotated[

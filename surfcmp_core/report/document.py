@@ -80,7 +80,7 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
             "options": {
                 **asdict(options),
                 "max_edge": limit,
-                "max_edge_derived": limit is None and options.domain == "data",
+                "max_edge_derived": limit is None and min(comparison.max_edges) < math.inf,
                 "max_edge_used": list(comparison.max_edges),
                 "unit": unit_of(comparison),
                 **(asked or {}),

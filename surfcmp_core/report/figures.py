@@ -197,8 +197,9 @@ def draw_histogram(
     values, area = comparison.mean_abs[compared], comparison.area[compared]
     total = float(area.sum()) or 1.0
     limit = scale_end(comparison)
-    end = 1.25 * limit
-    edges = np.linspace(0, end, 51)
+    p95 = document["measures"]["p95"] or limit
+    end = min(1.25 * limit, 4 * p95)
+    edges = np.linspace(0, end, 61)
     middle = (edges[1:] + edges[:-1]) / 2
     share = np.histogram(np.minimum(values, end), bins=edges, weights=area)[0] / total
     beyond = float(area[values > end].sum()) / total

@@ -17,9 +17,8 @@ h1 { font-size: 1.9rem; line-height: 1.2; margin: .15em 0 .3em; font-weight: 650
 h1 span { color: var(--quiet); font-weight: 400; }
 h2 { font-size: 1.15rem; margin: 2.6rem 0 .8rem; font-weight: 650; }
 .key { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: 1px;
-  background: var(--rule); border: 1px solid var(--rule); border-radius: 10px; overflow: hidden;
-  margin: 1.8rem 0; padding: 0; }
-.key div { background: var(--paper); padding: .9rem 1.1rem; }
+  border: 1px solid var(--rule); border-radius: 10px; overflow: hidden; margin: 1.8rem 0; }
+.key div { box-shadow: 0 0 0 1px var(--rule); padding: .9rem 1.1rem; }
 .key dt { color: var(--quiet); font-size: .85rem; }
 .key dd { margin: .1rem 0 0; font-size: 1.55rem; font-weight: 600;
   font-variant-numeric: tabular-nums; }
@@ -53,5 +52,6 @@ footer { margin-top: 3rem; padding-top: 1rem; border-top: 1px solid var(--rule);
 footer strong { color: var(--ink); font-weight: 600; }
 @media print { @page { size: A4; margin: 16mm 15mm; } body { font-size: 10pt; }
   main { max-width: none; padding: 0; } h2 { break-after: avoid; margin-top: 1.6rem; }
-  figure, tr, .key, .warn { break-inside: avoid; } .pair { grid-template-columns: 1fr 1fr; } }
+  figure, tr, .key, .warn { break-inside: avoid; } .pair { grid-template-columns: 1fr 1fr; }
+  .key { grid-template-columns: repeat(5, 1fr); } .key dd { font-size: 1.2rem; } }
 """
