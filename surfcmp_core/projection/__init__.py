@@ -2,5 +2,15 @@
 
 from surfcmp_core.projection.direction import viewing_direction
 from surfcmp_core.projection.frame import direction_of_landmarks, frame, moved
+from surfcmp_core.projection.removed import Fate, Removed
+from surfcmp_core.projection.schlicht import schlicht_part
 
-__all__ = ["direction_of_landmarks", "frame", "moved", "viewing_direction"]
+__all__ = [
+    "Fate",
+    "Removed",
+    "direction_of_landmarks",
+    "frame",
+    "moved",
+    "schlicht_part",
+    "viewing_direction",
+]

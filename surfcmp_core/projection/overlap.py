@@ -1,0 +1,143 @@
+"""Triangles that lie over each other in projection: which of two is behind."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.kernel import kernel
+from surfcmp_core.predicates import orientation
+from surfcmp_core.projection.removed import Fate
+
+_HIDDEN = int(Fate.HIDDEN)
+
+
+@kernel
+def _side(nodes: NDArray[np.float64], a: int, b: int, c: int) -> float:
+    """Orientation of three nodes, with a short way where two are one."""
+    ax, ay = nodes[a, 0], nodes[a, 1]
+    bx, by = nodes[b, 0], nodes[b, 1]
+    cx, cy = nodes[c, 0], nodes[c, 1]
+    if (cx == ax and cy == ay) or (cx == bx and cy == by):
+        return 0.0
+    return orientation(ax, ay, bx, by, cx, cy)
+
+
+@kernel
+def _apart(nodes: NDArray[np.float64], one: NDArray[np.int32], other: NDArray[np.int32]) -> bool:
+    """Whether an edge of one counter-clockwise triangle has all of another on its outer side."""
+    for i in range(3):
+        a, b = one[i], one[(i + 1) % 3]
+        if (
+            _side(nodes, a, b, other[0]) <= 0.0
+            and _side(nodes, a, b, other[1]) <= 0.0
+            and _side(nodes, a, b, other[2]) <= 0.0
+        ):
+            return True
+    return False
+
+
+@kernel
+def _height(
+    nodes: NDArray[np.float64], z: NDArray[np.float64], face: NDArray[np.int32], x: float, y: float
+) -> float:
+    """Height of a triangle over a place in it; within its own range, however thin it is."""
+    total = 0.0
+    height = 0.0
+    for i in range(3):
+        a, b = face[(i + 1) % 3], face[(i + 2) % 3]
+        share = (nodes[a, 0] - x) * (nodes[b, 1] - y) - (nodes[a, 1] - y) * (nodes[b, 0] - x)
+        share = max(share, 0.0)
+        total += share
+        height += share * z[face[i]]
+    return height / total if total > 0.0 else z[face[0]]
+
+
+@kernel
+def _lead(
+    nodes: NDArray[np.float64],
+    z: NDArray[np.float64],
+    one: NDArray[np.int32],
+    other: NDArray[np.int32],
+) -> float:
+    """By how much one of two overlapping triangles lies in front, where they differ most.
+
+    Their overlap is the hull of the nodes of each that lie in the other and of the places where
+    edges cross; heights are linear over it, so one of these shows the largest difference.
+    """
+    most = 0.0
+    for turn in range(2):
+        inner, outer = (one, other) if turn == 0 else (other, one)
+        for i in range(3):
+            v = inner[i]
+            if (
+                _side(nodes, outer[0], outer[1], v) >= 0.0
+                and _side(nodes, outer[1], outer[2], v) >= 0.0
+                and _side(nodes, outer[2], outer[0], v) >= 0.0
+            ):
+                lead = z[v] - _height(nodes, z, outer, nodes[v, 0], nodes[v, 1])
+                lead = lead if turn == 0 else -lead
+                if abs(lead) > abs(most):
+                    most = lead
+    for i in range(3):
+        a, b = one[i], one[(i + 1) % 3]
+        for j in range(3):
+            c, d = other[j], other[(j + 1) % 3]
+            from_c, from_d = _side(nodes, a, b, c), _side(nodes, a, b, d)
+            from_a, from_b = _side(nodes, c, d, a), _side(nodes, c, d, b)
+            if from_c * from_d < 0.0 and from_a * from_b < 0.0:
+                along = from_a / (from_a - from_b)
+                across = from_c / (from_c - from_d)
+                lead = (z[a] + along * (z[b] - z[a])) - (z[c] + across * (z[d] - z[c]))
+                if abs(lead) > abs(most):
+                    most = lead
+    return most
+
+
+@kernel
+def hide(
+    nodes: NDArray[np.float64],
+    z: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    start: NDArray[np.int64],
+    members: NDArray[np.int64],
+    fate: NDArray[np.uint8],
+) -> None:
+    """Mark each triangle that another one lies in front of.
+
+    Parameters
+    ----------
+    nodes : (n, 2) float64
+        In the range of the exact predicates.
+    z : (n,) float64
+        Nearer to the viewer where larger.
+    faces : (m, 3) int32
+        Counter-clockwise those that `members` names.
+    start, members : (cells + 1,), (k,) int64
+        Triangles to compare, cell by cell.
+    fate : (m,) uint8
+        Set to HIDDEN. Of two alike in height, the later one.
+    """
+    for cell in range(start.size - 1):
+        for i in range(start[cell], start[cell + 1]):
+            p = members[i]
+            one = faces[p]
+            left = min(nodes[one[0], 0], nodes[one[1], 0], nodes[one[2], 0])
+            right = max(nodes[one[0], 0], nodes[one[1], 0], nodes[one[2], 0])
+            low = min(nodes[one[0], 1], nodes[one[1], 1], nodes[one[2], 1])
+            high = max(nodes[one[0], 1], nodes[one[1], 1], nodes[one[2], 1])
+            for j in range(i + 1, start[cell + 1]):
+                q = members[j]
+                other = faces[q]
+                if (
+                    max(nodes[other[0], 0], nodes[other[1], 0], nodes[other[2], 0]) <= left
+                    or min(nodes[other[0], 0], nodes[other[1], 0], nodes[other[2], 0]) >= right
+                    or max(nodes[other[0], 1], nodes[other[1], 1], nodes[other[2], 1]) <= low
+                    or min(nodes[other[0], 1], nodes[other[1], 1], nodes[other[2], 1]) >= high
+                    or (fate[p] == _HIDDEN and fate[q] == _HIDDEN)
+                    or _apart(nodes, one, other)
+                    or _apart(nodes, other, one)
+                ):
+                    continue
+                if _lead(nodes, z, one, other) >= 0.0:
+                    fate[q] = _HIDDEN
+                else:
+                    fate[p] = _HIDDEN
