@@ -1,5 +1,7 @@
 """Read .xyz, .txt and .csv: three or more columns of text."""
 
+import csv
+
 import numpy as np
 
 from surfcmp_core.errors import InputError
@@ -20,7 +22,8 @@ def read_columns(data: bytes) -> Raw:
     rows = filled_lines(text)
     for row in rows:
         delimiter = ";" if ";" in row else "," if "," in row else None
-        fields = [field.strip(' \t"') for field in row.strip().split(delimiter)]
+        fields = next(csv.reader([row], delimiter=delimiter)) if delimiter else row.split()
+        fields = [field.strip(' \t"') for field in fields]
         if row.lstrip().startswith(("//", "%")):
             comments.append(row)
         elif len(fields) == 1 and fields[0].isdecimal() and declared is None:
