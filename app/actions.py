@@ -47,10 +47,10 @@ class Actions(QObject):
             self._add(self.view_menu, text, partial(self._fill, view), str(view + 1))
         self._add(self.view_menu, self.tr("All four views"), lambda: self._fill(None), "0")
         self.view_menu.addSeparator()
-        self._add(self.view_menu, self.tr("Map or relief"), self._toggle_relief, "M")
+        self._add(self.view_menu, self.tr("Map or relief"), self.toggle_relief, "M")
         self._add(self.view_menu, self.tr("Show everything"), window.display.go_home, "Home")
-        self._add(self.view_menu, self.tr("Triangles' sides"), self._toggle_edges, "E")
-        self._add(self.view_menu, self.tr("Dark or light"), self._toggle_dark, "Ctrl+D")
+        self._add(self.view_menu, self.tr("Triangles' sides"), self.toggle_edges, "E")
+        self._add(self.view_menu, self.tr("Dark or light"), self.toggle_dark, "Ctrl+D")
         self.view_menu.addSeparator()
         for dock in window.docks:
             self.view_menu.addAction(dock.toggleViewAction())
@@ -119,13 +119,16 @@ class Actions(QObject):
     def _fill(self, view: int | None) -> None:
         self._window.display.change(filled=view)
 
-    def _toggle_relief(self) -> None:
+    def toggle_relief(self) -> None:
+        """Switch."""
         self._window.display.change(relief=not self._window.display.state.relief)
 
-    def _toggle_edges(self) -> None:
+    def toggle_edges(self) -> None:
+        """Switch."""
         self._window.display.change(edges=not self._window.display.state.edges)
 
-    def _toggle_dark(self) -> None:
+    def toggle_dark(self) -> None:
+        """Switch."""
         self._window.display.change(dark=not self._window.display.state.dark)
 
     def _add(self, menu: QMenu, text: str, work: Callable[[], object], keys: str = "") -> QAction:

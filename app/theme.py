@@ -119,8 +119,7 @@ def style_sheet(c: Theme) -> str:
     QPushButton, QToolButton {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 12px; }}
     QPushButton:hover, QToolButton:hover {{ background: {c.hover}; }}
-    QPushButton:focus, QToolButton:focus, QLineEdit:focus,
-    QDoubleSpinBox:focus {{ border-color: {c.accent}; }}
+    QPushButton:focus, QToolButton:focus, QLineEdit:focus {{ border-color: {c.accent}; }}
     QPushButton:disabled, QToolButton:disabled {{ color: {c.quiet}; }}
     QPushButton:checked, QToolButton:checked {{ background: {c.accent}; color: {c.on_accent};
         border-color: {c.accent}; }}
@@ -134,7 +133,7 @@ def style_sheet(c: Theme) -> str:
     QToolButton[segment="first"] {{ border-top-right-radius: 0; border-bottom-right-radius: 0; }}
     QToolButton[segment="last"] {{ border-top-left-radius: 0; border-bottom-left-radius: 0;
         border-left: none; }}
-    QLineEdit, QDoubleSpinBox {{ background: {c.panel}; border: 1px solid {c.line};
+    QLineEdit {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 8px; selection-background-color: {c.accent};
         selection-color: {c.on_accent}; }}
     QWidget#panel, QWidget#dockTitle {{ background: {c.panel}; }}

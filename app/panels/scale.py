@@ -30,7 +30,7 @@ class ScalePanel(Panel):
         self._scale = Scale()
         self.limit = NumberBox()
         self.limit.setAccessibleName(self.tr("Largest difference with a colour of its own"))
-        self.limit.valueChanged.connect(self._limit_chosen)
+        self.limit.changed.connect(self._limit_chosen)
         self.fit = QPushButton(self.tr("Fit"))
         self.fit.setToolTip(self.tr("Fit the range to these surfaces; it stays there afterwards"))
         self.fit.clicked.connect(self.fit_asked)
@@ -65,12 +65,10 @@ class ScalePanel(Panel):
         """Show the scale in force."""
         self._scale = scale
         self._unit.setText(unit)
-        for widget in (self.limit, self.banded):
-            widget.blockSignals(True)
-        self.limit.setValue(scale.limit)
+        self.limit.show_value(scale.limit)
+        self.banded.blockSignals(True)
         self.banded.setChecked(scale.banded)
-        for widget in (self.limit, self.banded):
-            widget.blockSignals(False)
+        self.banded.blockSignals(False)
         if not self.tolerances.hasFocus():
             self.tolerances.setText("  ".join(short(value) for value in scale.tolerances))
 

@@ -6,15 +6,16 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import (
     QDockWidget,
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
+    QLineEdit,
     QMenu,
     QPushButton,
     QToolButton,
     QWidget,
 )
 
+from app.numbers import short
 from app.theme import UNIT
 
 
@@ -93,21 +94,30 @@ class ChoiceButton(QPushButton):
         self.choices[key].setChecked(True)
 
 
-class NumberBox(QDoubleSpinBox):
+class NumberBox(QLineEdit):
     """A positive number, written as short as it is."""
+
+    changed = Signal(float)
 
     def __init__(self) -> None:
         super().__init__()
-        self.setDecimals(9)
-        self.setRange(1e-9, 1e9)
-        self.setStepType(QDoubleSpinBox.StepType.AdaptiveDecimalStepType)
-        self.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
-        self.setKeyboardTracking(False)
+        self._value = 1.0
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.editingFinished.connect(self._edited)
 
-    @override
-    def textFromValue(self, value: float) -> str:
-        return f"{value:.6g}"
+    def show_value(self, value: float) -> None:
+        """Show a number."""
+        self._value = value
+        if not self.hasFocus() or not self.isModified():
+            self.setText(short(value))
 
-    @override
-    def valueFromText(self, text: str) -> float:
-        return float(text.replace(",", "."))
+    def _edited(self) -> None:
+        try:
+            value = float(self.text().replace(",", "."))
+        except ValueError:
+            value = 0.0
+        self.setModified(False)
+        if value > 0 and value != self._value:
+            self._value = value
+            self.changed.emit(value)
+        self.setText(short(self._value))

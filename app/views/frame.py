@@ -102,10 +102,8 @@ class ViewFrame(QFrame):
 
     def _arrange(self) -> None:
         width, height = self.canvas.width(), self.canvas.height()
-        tall = min(height - 2 * UNIT, 300)
+        tall = min(height - 2 * UNIT, 280)
         wide = self.bar.sizeHint().width() if self.bar.isVisibleTo(self.canvas) else 0
         self.bar.setGeometry(width - wide - UNIT, UNIT, wide, tall)
-        self.legend.move(UNIT, height - self.legend.height() - UNIT)
-        self.length.move(
-            width - self.length.width() - UNIT // 2, height - self.length.height() - UNIT // 2
-        )
+        self.legend.move(UNIT, UNIT)
+        self.length.move(0, height - self.length.height() - UNIT // 2)

@@ -21,7 +21,9 @@ class Overlay(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setFont(tabular(self.font()))
+        font = tabular(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.9)
+        self.setFont(font)
         self._theme: Theme | None = None
 
     def dress(self, theme: Theme) -> None:
@@ -182,7 +184,7 @@ class LengthBar(Overlay):
         self._unit = unit
         metrics = QFontMetricsF(self.font())
         width = max(self._pixels, metrics.horizontalAdvance(self._label())) + 2 * UNIT
-        self.resize(round(width), round(metrics.height() + 1.5 * UNIT))
+        self.resize(round(width), round(metrics.height() + UNIT))
         self.update()
 
     def _label(self) -> str:
@@ -192,12 +194,11 @@ class LengthBar(Overlay):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = self._begin()
         metrics = QFontMetricsF(self.font())
-        left = (self.width() - self._pixels) / 2
+        left = float(UNIT)
         y = self.height() - UNIT / 2
         text = self._text()
         painter.setPen(QPen(text, 1.5))
         painter.drawLine(QPointF(left, y), QPointF(left + self._pixels, y))
         for x in (left, left + self._pixels):
             painter.drawLine(QPointF(x, y - 3), QPointF(x, y + 3))
-        start = (self.width() - metrics.horizontalAdvance(self._label())) / 2
-        painter.drawText(QPointF(start, metrics.ascent()), self._label())
+        painter.drawText(QPointF(left, metrics.ascent()), self._label())

@@ -174,4 +174,5 @@ def _halved(image: "Image") -> "Image":
 
 def _qimage(image: "Image") -> QImage:
     height, width, _ = image.shape
+    image[..., 3] = 255  # VTK leaves the ground transparent
     return QImage(image.data, width, height, 4 * width, QImage.Format.Format_RGBX8888).copy()

@@ -1,0 +1,64 @@
+"""What the tests of the window share: a screen, and a window that is surely closed."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from pytestqt.qtbot import QtBot
+
+from app.window import MainWindow
+from tests.window.builders import comparison_of, hills
+
+PATIENCE = 60_000
+"""Milliseconds to wait for a comparison: kernels may have to be compiled first."""
+
+
+@pytest.fixture
+def window(qtbot: QtBot) -> Iterator[MainWindow]:
+    """Give an empty window on the screen."""
+    window = MainWindow()
+    qtbot.addWidget(window)
+    window.resize(1000, 700)
+    window.show()
+    window.activateWindow()
+    qtbot.waitActive(window)
+    yield window
+    window.close()
+    assert window.ended
+
+
+@pytest.fixture
+def sample(window: MainWindow, qtbot: QtBot) -> MainWindow:
+    """Give the window with the sample pair compared and drawn."""
+    with qtbot.waitSignal(window.display.shown, timeout=PATIENCE):
+        window.actions_of.begin([])
+    return window
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> tuple[Path, Path]:
+    """Give two small clouds, 1 mm apart and a hill between them."""
+    one, two = hills(300, 1), hills(200, 2, lift=3.0)
+    two[:, 2] += 1.0
+    paths = (tmp_path / "before.xyz", tmp_path / "after.xyz")
+    for path, nodes in zip(paths, (one, two), strict=True):
+        np.savetxt(path, nodes)
+    return paths
+
+
+@pytest.fixture(scope="session")
+def clouds() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Give two small clouds as arrays."""
+    return hills(120, 1), hills(80, 2, lift=3.0)
+
+
+@pytest.fixture(scope="session")
+def small(clouds: tuple[NDArray[np.float64], NDArray[np.float64]]):
+    """Give a small comparison with a hole in the middle of surface 2."""
+    return comparison_of(*clouds, hole=20.0)

@@ -1,0 +1,207 @@
+"""What should be on the screen, tested without one."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.view_state import Heatmap, Scale, ViewState
+from app.scene.chain_colours import chain_colours
+from app.scene.colour_maps import ABOVE, BELOW, WITHIN, banded, colour_map, continuous
+from app.scene.furniture import colour_bar, legend
+from app.scene.geometry import geometry_of, middle_height
+from app.scene.palette import palette
+from app.scene.scale import fitting_limit, round_down, round_up, ticks
+from app.scene.scene import heatmap_colours, scene_of, united_colours
+from app.scene.values import Trust, trust_of, values_of
+from surfcmp_core.comparison import Comparison
+
+STATE = ViewState()
+
+
+def heat(comparison: Comparison, state: ViewState) -> np.ndarray:
+    return heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark)
+
+
+def test_zero_is_the_middle_of_a_signed_scale():
+    table = colour_map("vik")
+    colours = continuous(np.array([0.0]), -3.0, 3.0, table, (1, 2, 3))
+    assert (colours[0] == table[128]).all()
+
+
+def test_beyond_the_scale_and_no_data_are_told_apart():
+    values = np.array([-1.01, -1.0, 1.0, 1.01, np.nan])
+    colours = continuous(values, -1.0, 1.0, colour_map("vik"), (9, 9, 9))
+    assert tuple(colours[0]) == BELOW
+    assert tuple(colours[3]) == ABOVE
+    assert tuple(colours[4]) == (9, 9, 9)
+    kinds = {tuple(colour) for colour in colours.tolist()}
+    assert len(kinds) == 5
+
+
+def test_a_tolerance_itself_is_within():
+    scale = Scale(tolerances=(0.5, 1.0), banded=True)
+    values = np.array([-0.5, 0.0, 0.5, np.nextafter(0.5, 1), np.nextafter(-0.5, -1)])
+    colours = [tuple(colour) for colour in banded(values, scale, True, (9, 9, 9)).tolist()]
+    assert colours[:3] == [WITHIN] * 3
+    assert colours[3] != WITHIN
+    assert colours[4] not in {WITHIN, colours[3]}
+
+
+def test_bands_of_a_signed_scale_mirror_each_other():
+    scale = Scale(tolerances=(0.5, 1.0, 2.0), banded=True)
+    values = np.array([0.7, 1.5, 3.0])
+    up, down = banded(values, scale, True, (0, 0, 0)), banded(-values, scale, True, (0, 0, 0))
+    assert len({tuple(c) for c in np.vstack([up, down]).tolist()}) == 6
+
+
+def test_the_heatmap_is_grey_exactly_where_nothing_is_compared(small: Comparison):
+    grey = palette(False).no_data
+    colours = heat(small, STATE)
+    assert ((colours == grey).all(axis=1) == ~small.compared).all()
+    assert 0 < (~small.compared).sum() < len(colours)
+
+
+def test_representative_only_greys_the_clouts(small: Comparison):
+    values = values_of(small, Heatmap.REPRESENTATIVE)
+    assert (np.isfinite(values) == (small.united.representative & small.compared)).all()
+
+
+def test_trust_says_what_a_triangle_rests_on(small: Comparison):
+    trust = trust_of(small)
+    labels = small.united.label[small.united.triangles]
+    for kind, nodes in ((Trust.ONLY_1, {1}), (Trust.ONLY_2, {2}), (Trust.BOTH, {1, 2})):
+        found = labels[trust == kind]
+        assert len(found)
+        assert all(set(row) == nodes for row in found.tolist())
+
+
+def test_a_brush_fades_what_is_outside_it(small: Comparison):
+    plain = heat(small, STATE)
+    brushed = heat(small, replace(STATE, brush=(0.2, 1.0)))
+    inside = (small.mean_signed >= 0.2) & (small.mean_signed <= 1.0)
+    assert 0 < inside.sum() < len(inside)
+    assert ((brushed == plain).all(axis=1) == inside).all()
+
+
+def test_closed_chains_are_warm_and_open_ones_cool():
+    closed = np.tile([True, False], 40)
+    colours = chain_colours(closed).astype(int)
+    red, blue = colours[:, 0], colours[:, 2]
+    assert (red[closed] > blue[closed]).all()
+    assert (red[~closed] < blue[~closed]).all()
+    assert len(np.unique(colours, axis=0)) == len(colours)
+
+
+def test_every_chain_has_one_colour_and_clouts_have_the_surfaces(small: Comparison):
+    colours = united_colours(small, None, False)
+    for chain in range(len(small.united.chain_closed)):
+        assert len(np.unique(colours[small.united.chain == chain], axis=0)) == 1
+    labels = small.united.label[small.united.triangles]
+    clouts = (labels == 1).all(axis=1)
+    assert (colours[clouts] == palette(False).surface_1).all()
+
+
+def test_a_chosen_chain_stands_out(small: Comparison):
+    plain, chosen = united_colours(small, None, False), united_colours(small, 0, False)
+    same = (plain == chosen).all(axis=1)
+    assert (same == (small.united.chain == 0)).all()
+
+
+def test_the_map_and_the_relief_share_their_arrays(small: Comparison):
+    geometry = geometry_of(small)
+    relief = scene_of(small, geometry, STATE)
+    flat = scene_of(small, geometry, replace(STATE, relief=False))
+    for one, two in zip(relief.layers, flat.layers, strict=True):
+        assert one.patch is two.patch
+        assert one.relief
+        assert not two.relief
+    assert relief.layers[3].colours is flat.layers[3].colours
+    assert [layer.shaded for layer in flat.layers] == [True, True, False, False]
+
+
+def test_nothing_is_lost_far_from_the_origin(clouds):
+    from tests.window.builders import comparison_of
+
+    far = np.array([4e5, 5e6, 100.0])
+    geometry = geometry_of(comparison_of(clouds[0] + far, clouds[1] + far))
+    near = geometry_of(comparison_of(*clouds))
+    for one, two in zip(geometry.patches[:2], near.patches[:2], strict=True):
+        assert np.allclose(one.points, two.points, atol=1e-5)
+
+
+def test_t_lies_half_way_between_the_surfaces(small: Comparison):
+    middle = middle_height(small)
+    assert np.isfinite(middle).all()
+    both = np.isfinite(small.z1) & np.isfinite(small.z2)
+    assert np.allclose(middle[both], (small.z1 + small.z2)[both] / 2)
+
+
+def test_normals_point_up_and_have_unit_length(small: Comparison):
+    for patch in geometry_of(small).patches:
+        assert np.allclose(np.linalg.norm(patch.normals, axis=1), 1.0, atol=1e-5)
+        assert (patch.normals[:, 2] > 0).all()
+
+
+def test_the_colour_bar_is_symmetric_when_signed(small: Comparison):
+    bar = colour_bar(small, replace(STATE, scale=Scale(limit=2.0)))
+    assert bar is not None
+    places = [place for place, _ in bar.ticks]
+    assert [value for _, value in bar.ticks] == [-2.0, -1.0, 0.0, 1.0, 2.0]
+    assert np.allclose(places, [1 - place for place in reversed(places)])
+    assert bar.below == BELOW
+    assert bar.above == ABOVE
+
+
+def test_the_scale_of_absolute_differences_begins_at_zero(small: Comparison):
+    bar = colour_bar(small, replace(STATE, heatmap=Heatmap.ABSOLUTE, scale=Scale(limit=2.0)))
+    assert bar is not None
+    assert bar.ticks[0] == (0.0, 0.0)
+    assert bar.below is None
+
+
+def test_a_banded_bar_changes_colour_at_its_ticks(small: Comparison):
+    scale = Scale(tolerances=(0.5, 1.0, 2.0), banded=True)
+    bar = colour_bar(small, replace(STATE, scale=scale))
+    assert bar is not None
+    assert [value for _, value in bar.ticks] == [-2.0, -1.0, -0.5, 0.5, 1.0, 2.0]
+    for place, value in bar.ticks:
+        k = round(place * len(bar.colours))
+        below, above = (
+            banded(np.array([value + e]), scale, True, (0, 0, 0)) for e in (-1e-9, 1e-9)
+        )
+        assert (bar.colours[k - 1] == below[0]).all()
+        assert (bar.colours[k] == above[0]).all()
+
+
+def test_the_legend_counts_the_chains(small: Comparison):
+    texts = [swatch.text for swatch in legend(small, STATE, 2)]
+    counts = small.counts
+    assert f"{counts['chains_closed']} closed chains" in texts
+    assert f"{counts['chains_open']} open chains" in texts
+    assert legend(small, STATE, 3) == ()
+    assert len(legend(small, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
+
+
+@pytest.mark.parametrize(
+    ("value", "up", "down"),
+    [(0.9, 1, 0.5), (1.0, 1, 1), (1.01, 2, 1), (4.2, 5, 2), (7e-4, 1e-3, 5e-4), (30, 50, 20)],
+)
+def test_round_limits(value: float, up: float, down: float):
+    assert round_up(value) == pytest.approx(up)
+    assert round_down(value) == pytest.approx(down)
+
+
+@pytest.mark.parametrize("limit", [0.1, 0.3, 1.0, 2.0, 7.0, 1234.0, 1e-6])
+def test_ticks_are_few_and_contain_zero(limit: float):
+    found = ticks(-limit, limit)
+    assert 3 <= len(found) <= 7
+    assert 0.0 in found
+    assert max(map(abs, found)) <= limit * (1 + 1e-9)
+
+
+def test_the_fitting_limit_leaves_a_hundredth_of_the_area_beyond():
+    values = np.concatenate([np.full(99, 0.4), [50.0]])
+    assert fitting_limit(values, np.ones(100)) == 0.5
+    assert fitting_limit(np.array([np.nan]), np.array([np.nan])) == 1.0
+    assert fitting_limit(np.zeros(3), np.ones(3)) == 1.0
