@@ -7,6 +7,7 @@ import numpy as np
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.text import decode, filled_lines, load, quoted
+from surfcmp_core.io.units import unit_in
 
 
 def read_columns(data: bytes) -> Raw:
@@ -48,7 +49,7 @@ def read_columns(data: bytes) -> Raw:
     columns = load(rows, dtype, expected, delimiter=delimiter, quotechar='"', ndmin=1)
     points = np.stack([columns[f"{i}"] for i in wanted], axis=1)
     comments += [line for line in text[:2000].split("\n") if line.lstrip().startswith("#")]
-    return Raw(points, comments=tuple(comments))
+    return Raw(points, unit=unit_in(tuple(comments)))
 
 
 def _is_number(field: str) -> bool:

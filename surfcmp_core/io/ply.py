@@ -46,6 +46,8 @@ class _Element:
             for i, one in enumerate(self.properties):
                 if one.name in ("vertex_indices", "vertex_index") and one.length:
                     return [i]
+            if self.count:
+                raise InputError("its faces have no list vertex_indices")
         return []
 
 

@@ -15,7 +15,7 @@ class Raw:
     polygons: list[NDArray[np.int64]] = field(default_factory=list)
     """Polygons grouped by size: each (k, c) node numbers, k polygons of c corners."""
     comments: tuple[str, ...] = ()
-    """Lines of comment, which may state the unit."""
+    """Lines of comment, which may state the unit to convert from."""
     unit: str | None = None
-    """Unit stated otherwise; the coordinates are then left in it."""
+    """Unit to tell and to leave the coordinates in."""
     dropped: dict[str, int] = field(default_factory=dict)

@@ -45,8 +45,9 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
 
     A file with triangles is a mesh, else a cloud; polygons are fanned into triangles. Every node
     of the file is kept, in float64 and in the file's order, but for .stl, whose equal corners
-    become one node. A unit given is converted to mm; so is one that a comment of a .ply, .obj,
-    .off, .stl or .vtk states; one that .npz, .las or .laz state is told and left as it is.
+    become one node. A unit given is converted to mm, and so is one that a comment of a .ply,
+    .obj, .off, .stl or .vtk states; the others, which may be surveys in metres, keep their bits,
+    and the unit they state is only told.
 
     Parameters
     ----------
@@ -72,20 +73,21 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         data = _bytes(path)
         with np.errstate(all="ignore"):  # what overflows is found not finite below
             raw = READERS[path.suffix.lower()](data)
-        faces, dropped = triangulate(raw.polygons, len(raw.points))
-        check_nodes(raw.points)
+            stated = raw.unit or unit_in(raw.comments)
+            converted = unit or (None if raw.unit else stated)
+            points = np.ascontiguousarray(raw.points) * MILLIMETRES[converted or "mm"]
+        check_nodes(points)
+        faces, changed = triangulate(raw.polygons, len(points))
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except Exception as error:  # what damage makes a reader meet is not foreseeable
         told = " ".join(str(error).split())[:120]
         raise InputError(f"{path}: damaged or not a {path.suffix} file ({told})") from error
 
-    points = np.ascontiguousarray(raw.points, np.float64)
-    dropped = {**raw.dropped, **dropped}
-    stated = raw.unit or unit_in(raw.comments)
-    converted = unit or (None if raw.unit else stated)
+    dropped = {**raw.dropped, **changed}
     if converted and converted != "mm":
-        points = points * MILLIMETRES[converted]
         dropped[f"nodes converted from {converted} to mm"] = len(points)
     return Surface(
         points,
@@ -106,10 +108,7 @@ def _bytes(path: Path) -> bytes:
         raise InputError("no such file")
     if not path.is_file():
         raise InputError("it is a folder" if path.is_dir() else "it is not a regular file")
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}") from None
+    data = path.read_bytes()
     if not data:
         raise InputError("the file is empty")
     return data

@@ -1,8 +1,6 @@
 """Length units: how files state them, and their size in millimetres.
 
-A unit given by the caller always wins, and the nodes are converted to mm. Otherwise a unit that a
-comment of the file states is converted to mm; .npz, .las and .laz only tell their unit, and the
-nodes stay as they are, bit for bit. A file that states none keeps None.
+Which are converted is told at :func:`surfcmp_core.io.read_surface`.
 """
 
 import re

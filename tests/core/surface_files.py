@@ -5,6 +5,7 @@ import struct
 import zlib
 from base64 import b64encode
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,7 +162,13 @@ def npz(points: Points, faces: Faces = TWO, **more: object) -> bytes:
     return file.getvalue()
 
 
-def las(points: Points, _faces: object = None, compressed: bool = False, wkt: str = "") -> bytes:
+def las(
+    points: Points,
+    _faces: object = None,
+    compressed: bool = False,
+    wkt: str = "",
+    record: Any = None,
+) -> bytes:
     """Nodes that are whole multiples of 1/1024, which .las holds exactly."""
     import laspy
 
@@ -169,6 +176,8 @@ def las(points: Points, _faces: object = None, compressed: bool = False, wkt: st
     header.scales, header.offsets = np.full(3, 1 / 1024), np.zeros(3)
     if wkt:
         header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr(wkt))
+    if record:
+        header.vlrs.append(record)
     data = laspy.LasData(header)
     data.x, data.y, data.z = points.T
     file = io.BytesIO()

@@ -38,7 +38,7 @@ _damage = st.tuples(st.floats(0, 1), st.integers(0, 12), _words | _octets | st.j
 
 
 @pytest.mark.parametrize("form", SOUND)
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(damages=st.lists(_damage, min_size=1, max_size=3))
 def test_damage(form: str, damages: list[tuple[float, int, bytes]]):
     ending, content = SOUND[form]

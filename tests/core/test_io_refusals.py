@@ -149,6 +149,9 @@ CONTENTS: dict[str, tuple[str, bytes, str]] = {
     "pickle": ("npy", _saved(np.array([{}, None])), "pickled"),
     "not a ply": ("ply", b"solid x\nendsolid x\n", "'ply'"),
     "ply without x": ("ply", files.ply_text(SQUARE).replace(b"double x", b"double w"), "x, y, z"),
+    "ply with other faces": (
+        "ply", files.ply_text(SQUARE).replace(b"_indices", b"_numbers"), "no list vertex_indices"
+    ),
     "ply with strips": ("ply", files.ply_text(SQUARE).replace(b"face", b"tristrips"), "strips"),
     "ply of unknown type": ("ply", files.ply_text(SQUARE).replace(b"double", b"quad"), "quad x"),
     "not an off": ("off", b"4OFF\n", "'OFF'"),

@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -57,6 +57,7 @@ def _bits(values: NDArray[np.float64]) -> list[list[int]]:
 
 
 @pytest.mark.parametrize("form", MESHES)
+@settings(max_examples=40)
 @given(points=nodes)
 def test_mesh_keeps_every_bit(form: str, points: NDArray[np.float64]):
     ending, write = MESHES[form]
@@ -69,6 +70,7 @@ def test_mesh_keeps_every_bit(form: str, points: NDArray[np.float64]):
 
 
 @pytest.mark.parametrize("form", CLOUDS)
+@settings(max_examples=40)
 @given(points=nodes)
 def test_cloud_keeps_every_bit(form: str, points: NDArray[np.float64]):
     ending, write = CLOUDS[form]

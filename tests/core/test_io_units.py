@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from surfcmp_core.errors import InputError
 from surfcmp_core.io import read_surface
 from surfcmp_core.io.units import unit_in, unit_named
 from tests.core import surface_files as files
@@ -95,6 +96,19 @@ def test_the_callers_unit_wins(tmp_path: Path):
     assert inches.unit == "mm"
 
 
+def test_text_columns_tell_their_unit_and_keep_their_bits(tmp_path: Path):
+    path = _write(tmp_path / "survey.xyz", b"# units: m\n" + files.xyz(SQUARE))
+    assert read_surface(path).unit == "m"
+    assert np.array_equal(read_surface(path).points, SQUARE)
+    assert np.array_equal(read_surface(path, unit="m").points, 1000 * SQUARE)
+
+
+def test_what_conversion_makes_infinite_is_refused(tmp_path: Path):
+    path = _write(tmp_path / "scan.xyz", files.xyz(SQUARE * 1e308))
+    with pytest.raises(InputError, match="3 of 4 nodes have coordinates that are not finite"):
+        read_surface(path, unit="cm")
+
+
 def test_an_unknown_unit_is_a_mistake_of_the_caller(tmp_path: Path):
     with pytest.raises(ValueError, match="'furlong': mm, cm, m, um, in, ft are known"):
         read_surface(tmp_path / "scan.ply", unit="furlong")
@@ -138,3 +152,13 @@ def test_las_tells_its_linear_unit(wkt: str, unit: str | None, tmp_path: Path):
     surface = read_surface(_write(tmp_path / "scan.las", files.las(SQUARE, wkt=wkt)))
     assert surface.unit == unit
     assert np.array_equal(surface.points, SQUARE)
+
+
+@pytest.mark.parametrize(("code", "unit"), [(9001, "m"), (9002, "ft"), (9003, "us-ft"), (1, None)])
+def test_las_tells_the_unit_of_its_geotiff_keys(code: int, unit: str | None, tmp_path: Path):
+    import laspy
+
+    keys = np.array([1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, code], "<u2").tobytes()
+    record = laspy.VLR("LASF_Projection", 34735, record_data=keys)
+    surface = read_surface(_write(tmp_path / "scan.las", files.las(SQUARE, record=record)))
+    assert surface.unit == unit
