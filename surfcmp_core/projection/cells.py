@@ -9,7 +9,7 @@ from surfcmp_core.kernel import kernel
 from surfcmp_core.projection.removed import Fate
 
 _KEPT = int(Fate.KEPT)
-_IN_EACH = 8
+_IN_EACH = 4
 """Triangles in a cell, on average."""
 
 
@@ -94,8 +94,9 @@ def cells_over(nodes: NDArray[np.float64], border: NDArray[np.int64], triangles:
     -------
     Cells
     """
-    x0, y0 = nodes.min(axis=0).tolist()
-    wide, high = np.ptp(nodes, axis=0).tolist()
+    outermost = nodes[border]
+    x0, y0 = outermost.min(axis=(0, 1)).tolist()
+    wide, high = np.ptp(outermost, axis=(0, 1)).tolist()
     wanted = triangles / _IN_EACH + 1.0
     # square cells, but along a thin strip no more than wanted
     side = max((wide * high / wanted) ** 0.5, max(wide, high) / wanted)

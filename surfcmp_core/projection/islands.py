@@ -44,19 +44,21 @@ def drop_islands(
         parent[node] = node
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
-            a = _root(parent, faces[t, 0])
+            a = parent[faces[t, 0]]
+            if a == parent[faces[t, 1]] and a == parent[faces[t, 2]]:
+                continue
+            a = _root(parent, a)
             for i in range(1, 3):
                 b = _root(parent, faces[t, i])
-                if a < b:
-                    parent[b] = a
-                else:
-                    parent[a] = b
-                    a = b
+                parent[max(a, b)] = min(a, b)
+                a = min(a, b)
     total = np.zeros(parent.size)
+    for node in range(parent.size):  # a parent's number is below its child's
+        parent[node] = parent[parent[node]]
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
-            total[_root(parent, faces[t, 0])] += area[t]
+            total[parent[faces[t, 0]]] += area[t]
     limit = share * total.max()
     for t in range(faces.shape[0]):
-        if fate[t] == _KEPT and total[_root(parent, faces[t, 0])] < limit:
+        if fate[t] == _KEPT and total[parent[faces[t, 0]]] < limit:
             fate[t] = _ISLAND

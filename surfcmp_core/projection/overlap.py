@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import orientation
+from surfcmp_core.projection.cells import Cells, crowded
 from surfcmp_core.projection.removed import Fate
 
 _HIDDEN = int(Fate.HIDDEN)
@@ -58,11 +59,15 @@ def _lead(
     one: NDArray[np.int32],
     other: NDArray[np.int32],
 ) -> float:
-    """By how much one of two overlapping triangles lies in front, where they differ most.
+    """Whether one of two overlapping triangles lies in front (> 0), where they differ most.
 
     Their overlap is the hull of the nodes of each that lie in the other and of the places where
     edges cross; heights are linear over it, so one of these shows the largest difference.
     """
+    if min(z[one[0]], z[one[1]], z[one[2]]) >= max(z[other[0]], z[other[1]], z[other[2]]):
+        return 1.0
+    if min(z[other[0]], z[other[1]], z[other[2]]) >= max(z[one[0]], z[one[1]], z[one[2]]):
+        return -1.0
     most = 0.0
     for turn in range(2):
         inner, outer = (one, other) if turn == 0 else (other, one)
@@ -93,12 +98,56 @@ def _lead(
 
 
 @kernel
+def _hide(
+    nodes: NDArray[np.float64],
+    z: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    x0: float,
+    y0: float,
+    per_cell: float,
+    columns: int,
+    start: NDArray[np.int64],
+    members: NDArray[np.int64],
+    fate: NDArray[np.uint8],
+) -> None:
+    box = np.empty((int(np.max(np.diff(start))), 4))
+    for cell in range(start.size - 1):
+        first = start[cell]
+        for i in range(start[cell + 1] - first):
+            a, b, c = faces[members[first + i]]
+            box[i, 0] = min(nodes[a, 0], nodes[b, 0], nodes[c, 0])
+            box[i, 1] = max(nodes[a, 0], nodes[b, 0], nodes[c, 0])
+            box[i, 2] = min(nodes[a, 1], nodes[b, 1], nodes[c, 1])
+            box[i, 3] = max(nodes[a, 1], nodes[b, 1], nodes[c, 1])
+            p = members[first + i]
+            for j in range(i):
+                q = members[first + j]
+                if (
+                    box[j, 0] >= box[i, 1]
+                    or box[j, 1] <= box[i, 0]
+                    or box[j, 2] >= box[i, 3]
+                    or box[j, 3] <= box[i, 2]
+                    or (fate[p] == _HIDDEN and fate[q] == _HIDDEN)
+                ):
+                    continue
+                # once a pair: in the cell of their boxes' first common place
+                column = int((max(box[i, 0], box[j, 0]) - x0) * per_cell)
+                row = int((max(box[i, 2], box[j, 2]) - y0) * per_cell)
+                if row * columns + column != cell:
+                    continue
+                if _apart(nodes, faces[q], faces[p]) or _apart(nodes, faces[p], faces[q]):
+                    continue
+                if _lead(nodes, z, faces[q], faces[p]) >= 0.0:
+                    fate[p] = _HIDDEN
+                else:
+                    fate[q] = _HIDDEN
+
+
 def hide(
     nodes: NDArray[np.float64],
     z: NDArray[np.float64],
     faces: NDArray[np.int32],
-    start: NDArray[np.int64],
-    members: NDArray[np.int64],
+    cells: Cells,
     fate: NDArray[np.uint8],
 ) -> None:
     """Mark each triangle that another one lies in front of.
@@ -110,34 +159,13 @@ def hide(
     z : (n,) float64
         Nearer to the viewer where larger.
     faces : (m, 3) int32
-        Counter-clockwise those that `members` names.
-    start, members : (cells + 1,), (k,) int64
-        Triangles to compare, cell by cell.
+        Counter-clockwise those that count.
+    cells : Cells
+        Laid over those that count.
     fate : (m,) uint8
-        Set to HIDDEN. Of two alike in height, the later one.
+        Only KEPT ones count; set to HIDDEN. Of two alike in height, the later one.
     """
-    for cell in range(start.size - 1):
-        for i in range(start[cell], start[cell + 1]):
-            p = members[i]
-            one = faces[p]
-            left = min(nodes[one[0], 0], nodes[one[1], 0], nodes[one[2], 0])
-            right = max(nodes[one[0], 0], nodes[one[1], 0], nodes[one[2], 0])
-            low = min(nodes[one[0], 1], nodes[one[1], 1], nodes[one[2], 1])
-            high = max(nodes[one[0], 1], nodes[one[1], 1], nodes[one[2], 1])
-            for j in range(i + 1, start[cell + 1]):
-                q = members[j]
-                other = faces[q]
-                if (
-                    max(nodes[other[0], 0], nodes[other[1], 0], nodes[other[2], 0]) <= left
-                    or min(nodes[other[0], 0], nodes[other[1], 0], nodes[other[2], 0]) >= right
-                    or max(nodes[other[0], 1], nodes[other[1], 1], nodes[other[2], 1]) <= low
-                    or min(nodes[other[0], 1], nodes[other[1], 1], nodes[other[2], 1]) >= high
-                    or (fate[p] == _HIDDEN and fate[q] == _HIDDEN)
-                    or _apart(nodes, one, other)
-                    or _apart(nodes, other, one)
-                ):
-                    continue
-                if _lead(nodes, z, one, other) >= 0.0:
-                    fate[q] = _HIDDEN
-                else:
-                    fate[p] = _HIDDEN
+    start, members = crowded(nodes, faces, fate, cells)
+    columns = cells.doubtful.shape[1]
+    where = (cells.x0, cells.y0, cells.per_cell, columns)
+    _hide(nodes, z, faces, *where, start, members, fate)

@@ -10,7 +10,7 @@ from surfcmp_core.grid.scaling import safe_scale
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import orientation
 from surfcmp_core.projection.border import border_of
-from surfcmp_core.projection.cells import cells_over, crowded
+from surfcmp_core.projection.cells import cells_over
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.overlap import hide
 from surfcmp_core.projection.places import same_place
@@ -74,7 +74,7 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
     if not len(border):
         raise InputError(f"{surface.name}: no triangle faces the viewer")
     cells = cells_over(nodes, border, int(np.count_nonzero(fate == Fate.KEPT)))
-    hide(nodes, z, faces, *crowded(nodes, faces, fate, cells), fate)
+    hide(nodes, z, faces, cells, fate)
     if len(members):
         used = np.zeros(len(nodes), bool)
         used[faces[fate == Fate.KEPT]] = True
@@ -177,14 +177,34 @@ def _upper_nodes(surface: Surface, low: NDArray[np.int64]) -> tuple[Surface, Rem
     return _without(surface, kept, None, counts), removed
 
 
+_IN_USE = np.uint8(255)
+
+
 @kernel
 def _last_fates(
     faces: NDArray[np.int32], fate: NDArray[np.uint8], of_node: NDArray[np.uint8]
 ) -> None:
-    """Give each node the last of its triangles' fates; beyond all fates where one is kept."""
+    """Give each node the last of its triangles' fates, and _IN_USE where one is kept."""
     for t in range(faces.shape[0]):
+        mark = fate[t] if fate[t] != 0 else 255
         for i in range(3):
-            of_node[faces[t, i]] = max(of_node[faces[t, i]], fate[t])
+            of_node[faces[t, i]] = max(of_node[faces[t, i]], mark)
+
+
+@kernel
+def _renumber(
+    faces: NDArray[np.int32],
+    fate: NDArray[np.uint8],
+    number: NDArray[np.int32],
+    turned: bool,
+    new_faces: NDArray[np.int32],
+) -> None:
+    k = 0
+    for t in range(faces.shape[0]):
+        if fate[t] == 0:
+            for i in range(3):
+                new_faces[k, 2 - i if turned else i] = number[faces[t, i]]
+            k += 1
 
 
 def _part(
@@ -192,32 +212,28 @@ def _part(
 ) -> tuple[Surface, Removed]:
     faces = surface.faces
     assert faces is not None
-    stays = fate == Fate.KEPT
-    if not stays.any():
+    triangles = np.bincount(fate, minlength=len(Fate))
+    if not triangles[Fate.KEPT]:
         raise InputError(f"{surface.name}: no triangle faces the viewer")
     of_node = np.zeros(len(surface.points), np.uint8)
-    _last_fates(faces[~stays], fate[~stays], of_node)
-    in_a_triangle = of_node > 0
-    used = np.zeros(len(of_node), bool)
-    used[faces[stays]] = True
-    kept = np.flatnonzero(used)
-    number = np.empty(len(used), np.int32)
+    _last_fates(faces, fate, of_node)
+    kept = np.flatnonzero(of_node == _IN_USE)
+    number = np.empty(len(of_node), np.int32)
     number[kept] = np.arange(len(kept), dtype=np.int32)
-    new_faces = number[faces[stays]]
-    if turned:
-        new_faces = np.ascontiguousarray(new_faces[:, ::-1])
+    new_faces = np.empty((int(triangles[Fate.KEPT]), 3), np.int32)
+    _renumber(faces, fate, number, turned, new_faces)
 
-    counts = {UNUSED: int(np.count_nonzero(~used & ~in_a_triangle))}
-    lost = np.bincount(of_node[~used & in_a_triangle], minlength=len(Fate))
+    reasons = [UNUSED, *(fate.label for fate in Fate if fate != Fate.KEPT)]
+    nodes = np.bincount(of_node, minlength=256)
+    counts = {reason: int(n) for reason, n in zip(reasons, nodes, strict=False) if n}
     areas = np.bincount(fate, area, len(Fate))
-    counts |= {f.label: int(lost[f]) for f in Fate if f}
-    counts = {reason: count for reason, count in counts.items() if count}
+    gone = np.flatnonzero(fate)
     removed = Removed(
-        faces[~stays],
-        fate[~stays],
+        faces[gone],
+        fate[gone],
         kept,
         counts,
-        {f.label: float(areas[f]) for f in Fate if f and (fate == f).any()},
+        {f.label: float(areas[f]) for f in Fate if f != Fate.KEPT and triangles[f]},
         float(areas[Fate.KEPT]),
         turned,
     )
