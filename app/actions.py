@@ -33,13 +33,12 @@ class Actions(QObject):
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
-        session = window.session
-        self.undo = self._add(edit, self.tr("&Undo"), session.undo, "Ctrl+Z")
-        self.redo = self._add(edit, self.tr("&Redo"), session.redo, "Ctrl+Shift+Z")
+        self.undo = self._add(edit, self.tr("&Undo"), lambda: window.session.undo(), "Ctrl+Z")
+        self.redo = self._add(edit, self.tr("&Redo"), lambda: window.session.redo(), "Ctrl+Shift+Z")
         edit.addSeparator()
         self.swap = self._add(edit, self.tr("&Exchange surfaces"), self.swap_surfaces, "Ctrl+E")
         self._add(edit, self.tr("&Copy measures as table"), window.measures.copy_table)
-        self.cancel = self._add(edit, self.tr("&Stop comparing"), session.runner.cancel, "Esc")
+        self.cancel = self._add(edit, self.tr("&Stop comparing"), self.stop, "Esc")
         self.view_menu = bar.addMenu(self.tr("&View"))
         names = [frame.canvas.accessibleName() for frame in window.grid.frames]
         for view in range(VIEWS):
@@ -92,6 +91,10 @@ class Actions(QObject):
         paths = self._choose(self.tr("Open surface {}").format(number), several=False)
         if paths:
             self._window.session.open(paths, number)
+
+    def stop(self) -> None:
+        """Stop comparing; what was shown stays."""
+        self._window.session.runner.cancel()
 
     def swap_surfaces(self) -> None:
         """Exchange surfaces 1 and 2."""

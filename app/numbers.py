@@ -1,10 +1,23 @@
-"""Numbers as the window writes them where space is short."""
+"""Numbers as the window writes them; the same figures as in the core's reports.
 
-from surfcmp_core.report.numbers import figure, thousands, with_unit
-
-__all__ = ["figure", "short", "thousands", "with_unit"]
+The core is imported where it is needed: the window is on the screen before it is loaded.
+"""
 
 
 def short(value: float) -> str:
     """Return the shortest decimal of `value`, with a true minus sign."""
     return f"{value:.6g}".replace("-", "−")
+
+
+def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, str]:
+    """Return the figure and its unit; shares (power None) become per cent."""
+    from surfcmp_core.report import numbers
+
+    return numbers.with_unit(value, power, unit)
+
+
+def thousands(count: int) -> str:
+    """Group digits by thin spaces: 1 234 567."""
+    from surfcmp_core.report import numbers
+
+    return numbers.thousands(count)

@@ -50,6 +50,7 @@ def screenshot(
             change(window)
         settled.start()
 
+    window.start()
     window.display.shown.connect(shown)
     window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
     QTimer.singleShot(1000 * SECONDS, app.quit)

@@ -3,7 +3,7 @@
 import os
 import sys
 from pathlib import Path
-from typing import override
+from typing import TYPE_CHECKING, override
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
@@ -19,8 +19,6 @@ from PySide6.QtWidgets import (
 
 from app.actions import Actions
 from app.controllers.display import Display
-from app.controllers.session import Session
-from app.controllers.showing import Showing
 from app.icons import icon
 from app.panels.banner import Banner
 from app.panels.empty import EmptyState
@@ -32,12 +30,19 @@ from app.panels.widgets import DockTitle
 from app.theme import UNIT, qt_palette, style_sheet, theme
 from app.views.grid import ViewGrid
 
+if TYPE_CHECKING:
+    from app.controllers.session import Session
+    from app.controllers.showing import Showing
+
 CLOSING_SECONDS = 0.5
 """How long closing waits for a comparison that runs."""
 
 
 class MainWindow(QMainWindow):
     """Puts the parts together; what they do stands in their own files."""
+
+    session: "Session"
+    showing: "Showing"
 
     def __init__(self) -> None:
         super().__init__()
@@ -80,9 +85,18 @@ class MainWindow(QMainWindow):
         self.statusBar().addWidget(self.status, 1)
         self.statusBar().addPermanentWidget(self.progress)
         self.statusBar().setSizeGripEnabled(False)
-        self.session = Session()
         self.display = Display(self.grid)
         self.actions_of = Actions(self)
+        self.dress(dark=False)
+        self.ended = True
+
+    def start(self) -> None:
+        """Load the core and tie it to the window, which is on the screen by then."""
+        from app.controllers.session import Session
+        from app.controllers.showing import Showing
+
+        self.display.warm_up()
+        self.session = Session()
         self.showing = Showing(self)
 
     def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
@@ -139,6 +153,8 @@ def run(paths: list[Path]) -> int:
     app.setStyle("Fusion")
     window = MainWindow()
     window.show()
+    app.processEvents()  # the window is seen while the core is loaded
+    window.start()
     window.actions_of.begin(paths)
     status = app.exec()
     if not window.ended:  # a kernel cannot be stopped half way; nothing is left to be saved

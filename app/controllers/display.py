@@ -99,6 +99,12 @@ class Display(QObject):
         self._rest.stop()
         self._wish(moving=False)
 
+    def warm_up(self) -> None:
+        """Have the drawing thread load what it needs while the core is still at work."""
+        if self._studio is None:
+            self._studio = Studio()
+            self._studio.drawn.connect(self._receive)
+
     def close(self) -> None:
         """End the drawing."""
         self._rest.stop()
@@ -135,13 +141,10 @@ class Display(QObject):
     def _wish(self, moving: bool) -> None:
         for frame in self._grid.frames:
             frame.canvas.turning = self.state.relief
-        if not self._grid.isVisible():
+        if self.content is None or not self._grid.isVisible():
             return
-        if self._studio is None:
-            if self.content is None:
-                return
-            self._studio = Studio()
-            self._studio.drawn.connect(self._receive)
+        self.warm_up()
+        assert self._studio is not None
         self._studio.show(Wish(self.content, self.state, self._camera, self._grid.sizes(), moving))
 
     def _receive(self, pictures: Pictures) -> None:

@@ -1,6 +1,9 @@
 """The measures: the three people report first, then all of them."""
 
+from __future__ import annotations
+
 from dataclasses import asdict
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QGuiApplication
@@ -20,8 +23,10 @@ from app.numbers import with_unit
 from app.panels.measure_names import NAMES
 from app.panels.widgets import Panel
 from app.theme import LIGHT, UNIT, Theme, tabular
-from surfcmp_core.measures.measures import Measures
-from surfcmp_core.report.meanings import NOTES, Line, lines
+
+if TYPE_CHECKING:
+    from surfcmp_core.measures.measures import Measures
+    from surfcmp_core.report.meanings import Line
 
 KEY = int(Qt.ItemDataRole.UserRole)
 
@@ -88,11 +93,14 @@ class MeasuresPanel(Panel):
         column.addLayout(foot)
         self._lines: list[Line] = []
         self._unit = ""
+        self._notes: dict[str, str] = {}
         self._theme = LIGHT
 
     def show_measures(self, measures: Measures, unit: str) -> None:
         """Show all numbers of a comparison in `unit` (empty where nobody knows it)."""
-        self._unit = unit
+        from surfcmp_core.report.meanings import NOTES, lines
+
+        self._unit, self._notes = unit, NOTES
         self._lines = lines(asdict(measures), unit)
         self.copy.setEnabled(True)
         self._fill_cards()
@@ -156,8 +164,8 @@ class MeasuresPanel(Panel):
         item.setTextAlignment(0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom)
         item.setSizeHint(0, QSize(0, 3 * UNIT + 4))
         item.setFlags(Qt.ItemFlag.ItemIsEnabled)
-        if group in NOTES:
-            item.setToolTip(0, self.tr(NOTES[group]))
+        if group in self._notes:
+            item.setToolTip(0, self.tr(self._notes[group]))
         self.tree.addTopLevelItem(item)
         item.setFirstColumnSpanned(True)
 
@@ -170,8 +178,8 @@ class MeasuresPanel(Panel):
         item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         item.setFont(1, tabular(self.tree.font()))
         text = line.text[0].upper() + line.text[1:] + "."
-        if line.group in NOTES:
-            text += " " + NOTES[line.group]
+        if line.group in self._notes:
+            text += " " + self._notes[line.group]
         for column in range(3):
             item.setToolTip(column, text)
         self.tree.addTopLevelItem(item)

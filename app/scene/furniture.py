@@ -1,6 +1,9 @@
 """Titles, legends and the colour bar: what explains the views."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,7 +22,9 @@ from app.scene.palette import palette
 from app.scene.scale import ticks
 from app.scene.scene import TRUST_COLOURS, height_range
 from app.scene.values import Trust
-from surfcmp_core.comparison import Comparison
+
+if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+    from surfcmp_core.comparison import Comparison
 
 
 @dataclass(frozen=True, slots=True)

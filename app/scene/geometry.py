@@ -1,11 +1,16 @@
 """Where things are: the arrays of a comparison that no colour or switch changes."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Comparison
+if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+    from surfcmp_core.comparison import Comparison
+
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]

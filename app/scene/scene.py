@@ -1,7 +1,10 @@
 """From a comparison and a view state to the four views."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +15,9 @@ from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Geometry, Patch
 from app.scene.palette import Palette, palette
 from app.scene.values import Trust, values_of
-from surfcmp_core.comparison import Comparison
+
+if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+    from surfcmp_core.comparison import Comparison
 
 VIEWS = 4
 """Surface 1, surface 2, T with its chains, the heatmap."""

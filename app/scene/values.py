@@ -1,12 +1,17 @@
 """The value behind each triangle's colour in the heatmap."""
 
+from __future__ import annotations
+
 from enum import IntEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.view_state import Heatmap
-from surfcmp_core.comparison import Comparison
+
+if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+    from surfcmp_core.comparison import Comparison
 
 
 class Trust(IntEnum):

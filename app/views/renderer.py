@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.camera import Camera
-from app.scene.colour_maps import Rgb
+from app.scene.colour_maps import Colours, Rgb
+from app.scene.geometry import Patch
 from app.scene.scene import MeshLayer, Scene
 
 if sys.platform == "linux":  # needs no X server and starts three times faster than GLX
@@ -54,6 +55,20 @@ class Renderer:
         self._views = [_View() for _ in range(views)]
         for view in self._views:
             self._window.AddRenderer(view.renderer)
+
+    def warm_up(self) -> None:
+        """Draw next to nothing once, so that the first true picture finds its shaders ready."""
+        corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], dtype=np.float32)
+        patch = Patch(corner, corner + 1, np.array([[0, 1, 2]], dtype=np.int32), 1.0)
+        outline = np.zeros((1, 2, 3), dtype=np.float32)
+        painted = np.zeros((1, 3), dtype=np.uint8)
+        kinds: tuple[Colours | Rgb, ...] = ((0, 0, 0), painted)
+        for view, colours in zip(self._views, kinds, strict=False):
+            view.apply(MeshLayer(patch, colours, True, True, True, outline))
+        tiles = [Tile(view, 16, 16) for view in range(len(self._views))]
+        for height in (1.0, 100.0):  # with sides and without
+            self.draw(Camera(height=height), tiles, fine=True)
+        self.apply(None)
 
     def apply(self, scene: Scene | None) -> None:
         """Make the views show `scene`; only what differs from the last one is sent."""

@@ -90,6 +90,7 @@ class Studio(QObject):
         from app.views.renderer import Renderer, Tile
 
         renderer = Renderer(VIEWS)
+        renderer.warm_up()
         scene = None
         coarseness = _Coarseness()
         while (wish := self._next()) is not None:

@@ -26,6 +26,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     qtbot.addWidget(window)
     window.resize(1000, 700)
     window.show()
+    window.start()
     window.activateWindow()
     qtbot.waitActive(window)
     yield window
