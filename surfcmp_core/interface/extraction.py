@@ -1,7 +1,4 @@
-"""All chains of interface triangles in one compiled pass (the paper's section 3.1).
-
-The letters in the comments are those of the paper's steps.
-"""
+"""All chains of interface triangles in one compiled pass (the paper's section 3.1)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,24 +6,32 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.interface.disc import disc_holds
+from surfcmp_core.interface.chain import N_BRIDGES, N_TRIANGLES, trace_chain
+from surfcmp_core.interface.events import N_EVENTS, Event, Events, note
 from surfcmp_core.interface.first_starter import first_starter
-from surfcmp_core.interface.joined import BRIDGE, PASSED, PUSHED, Joined
+from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, Joined, first_of, following
 from surfcmp_core.interface.next_starter import next_starter
-from surfcmp_core.kernel import inlined, kernel
-from surfcmp_core.predicates import in_disc
-from surfcmp_core.triangulation.half_edges import following, preceding
+from surfcmp_core.kernel import kernel
 
 _SLICE = 1 << 18
 """Interface triangles between two looks at whether the user cancelled."""
+N_CHAINS = 2
+"""Place among the counters of the number of chains."""
+_STARTED = 3
+"""Place of whether the first starter has been found."""
 
-# places of the kernel's counters between two slices
-_TRIANGLES, _CHAINS, _BRIDGES, _STARTED = range(4)
+_STARTER, _CLOSED, _ENDED, _TAKEN, _DONE = (
+    int(Event.STARTER),
+    int(Event.CHAIN_CLOSED),
+    int(Event.CHAIN_ENDED),
+    int(Event.BRIDGE_TAKEN),
+    int(Event.BRIDGE_DONE),
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Chains:
-    """Interface triangles, chain after chain, in the order of tracing.
+    """Interface triangles, chain after chain, in the order of each chain.
 
     Attributes
     ----------
@@ -38,173 +43,93 @@ class Chains:
     first : (C + 1,) int32
         Where each chain starts in `base`, and the end.
     closed : (C,) bool
+    events : (e, 4) int32
+        What tracing did, in its order: an `Event`, its two numbers, discs tested so far. Triangles
+        are numbered as they were emitted; where a chain ends on the hull, those of its first side
+        are turned round in `base` afterwards. Empty where nothing was recorded.
     """
 
     base: NDArray[np.int32]
     apex: NDArray[np.int32]
     first: NDArray[np.int32]
     closed: NDArray[np.bool_]
-
-
-@inlined
-def _push(
-    marks: NDArray[np.uint8],
-    stack: NDArray[np.int32],
-    counters: NDArray[np.int64],
-    bridge: int,
-    other_corner: int,
-) -> None:
-    if marks[bridge] & (PASSED | PUSHED) == 0:
-        marks[bridge] |= PUSHED
-        top = 2 * counters[_BRIDGES]
-        stack[top] = bridge
-        stack[top + 1] = other_corner
-        counters[_BRIDGES] += 1
+    events: NDArray[np.int32]
 
 
 @kernel
-def _trace(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    marks: NDArray[np.uint8],
-    base: NDArray[np.int32],
-    apex: NDArray[np.int32],
-    stack: NDArray[np.int32],
-    counters: NDArray[np.int64],
-    a: int,
-    b: int,
-) -> bool:
-    """Trace to the left of a starter until the chain closes (True) or ends on the hull (False).
-
-    `a` and `b` are corners at the ends A and B of the current edge, the last ones passed.
-    """
-    A = start[a]
-    B = start[b]
-    # (a) the starter is the current edge
-    first_A = A
-    first_B = B
-    marks[a] |= PASSED
-    marks[b] |= PASSED
-    count = counters[_TRIANGLES]
-    begin = count
-    closed = False
-    while True:
-        Ax, Ay = nodes[A, 0], nodes[A, 1]
-        Bx, By = nodes[B, 0], nodes[B, 1]
-        # (b) correct the bundle of A, counter-clockwise ...
-        while True:
-            onward = twin[preceding(a)]
-            if not disc_holds(nodes, start, onward, Bx, By):
-                break
-            if marks[onward] & BRIDGE:
-                _push(marks, stack, counters, preceding(a), b)
-            a = onward
-            marks[a] |= PASSED
-        # ... and the bundle of B, clockwise
-        while True:
-            back = twin[b]
-            onward = following(back)
-            if not disc_holds(nodes, start, onward, Ax, Ay):
-                break
-            if marks[back] & BRIDGE:
-                _push(marks, stack, counters, back, a)
-            b = onward
-            marks[b] |= PASSED
-        # only now, for the edges between the last corner and the starter's own are destroyed too
-        if count > begin and first_A == A and first_B == B:
-            closed = True
-            break
-        # (c) the new edge ends at the candidate whose triangle has an empty disc
-        A1 = start[preceding(a)]
-        B1 = start[following(b)]
-        if A1 < 0 and B1 < 0:
-            break  # a terminal edge
-        if B1 < 0:
-            take_A = True
-        elif A1 < 0:
-            take_A = False
-        else:
-            take_A = not in_disc(
-                Ax, Ay, Bx, By, nodes[A1, 0], nodes[A1, 1], nodes[B1, 0], nodes[B1, 1]
-            )
-        # (d), (e) the edge to it is passed at its other end too; there the new edge continues
-        if take_A:
-            a = preceding(a)
-            base[count] = a
-            apex[count] = B
-            marks[a] |= PASSED
-            A = A1
-        else:
-            base[count] = b
-            apex[count] = A
-            b = following(b)
-            marks[b] |= PASSED
-            B = B1
-        count += 1
-    counters[_TRIANGLES] = count
-    return closed
+def _turn_round(array: NDArray[np.int32], begin: int, end: int) -> None:
+    for k in range((end - begin) // 2):
+        i, j = begin + k, end - 1 - k
+        array[i], array[j] = array[j], array[i]
 
 
 @kernel
 def _extract(
     nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    marks: NDArray[np.uint8],
-    split_nodes: int,
-    split_edges: int,
+    words: NDArray[np.int32],
+    split: int,
+    split_word: int,
     base: NDArray[np.int32],
     apex: NDArray[np.int32],
     first: NDArray[np.int32],
     closed: NDArray[np.bool_],
     stack: NDArray[np.int32],
     counters: NDArray[np.int64],
+    events: Events,
     pause: int,
 ) -> bool:
     """Trace chains until about `pause` triangles are found; True when all chains are."""
-    while counters[_TRIANGLES] < pause:
+    while counters[N_TRIANGLES] < pause:
         if counters[_STARTED] == 0:
             counters[_STARTED] = 1
-            a, b = first_starter(nodes, start, twin, split_nodes, split_edges)
+            a, b = first_starter(nodes, words, split, split_word, events, counters)
         else:
-            if counters[_BRIDGES] == 0:
+            if counters[N_BRIDGES] == 0:
                 return True
-            counters[_BRIDGES] -= 1
-            top = 2 * counters[_BRIDGES]
+            counters[N_BRIDGES] -= 1
+            top = 2 * counters[N_BRIDGES]
             bridge = stack[top]
-            if marks[bridge] & PASSED:
-                continue  # its free node has been traced meanwhile
-            a, b = next_starter(nodes, start, twin, bridge, stack[top + 1])
-        chain = counters[_CHAINS]
-        begin = counters[_TRIANGLES]
+            done = (words[first_of(bridge) + MARKS] >> (bridge & 3)) & 1
+            if events is not None:
+                kind = _DONE if done else _TAKEN
+                note(events, counters, kind, words[bridge], words[following(bridge)])
+            if done:
+                continue  # the free node has been traced meanwhile
+            a, b = next_starter(nodes, words, bridge, stack[top + 1], events, counters)
+        chain = counters[N_CHAINS]
+        begin = counters[N_TRIANGLES]
         first[chain] = begin
-        is_closed = _trace(nodes, start, twin, marks, base, apex, stack, counters, a, b)
+        if events is not None:
+            note(events, counters, _STARTER, words[a], words[b])
+        is_closed = trace_chain(nodes, words, base, apex, stack, counters, events, a, b)
+        if events is not None:
+            note(events, counters, _CLOSED if is_closed else _ENDED, chain, 0)
         if not is_closed:  # the other side of the starter, its ends exchanged
-            i = begin
-            j = counters[_TRIANGLES] - 1
-            while i < j:
-                base[i], base[j] = base[j], base[i]
-                apex[i], apex[j] = apex[j], apex[i]
-                i += 1
-                j -= 1
-            _trace(nodes, start, twin, marks, base, apex, stack, counters, b, a)
+            _turn_round(base, begin, counters[N_TRIANGLES])
+            _turn_round(apex, begin, counters[N_TRIANGLES])
+            trace_chain(nodes, words, base, apex, stack, counters, events, b, a)
+            if events is not None:
+                note(events, counters, _ENDED, chain, 1)
         closed[chain] = is_closed
-        counters[_CHAINS] = chain + 1
+        counters[N_CHAINS] = chain + 1
     return False
 
 
-def extract_chains(joined: Joined, progress: Callable[[float], None] | None = None) -> Chains:
+def extract_chains(
+    joined: Joined, progress: Callable[[float], None] | None = None, *, record: bool = False
+) -> Chains:
     """Extract all chains of interface triangles, in time linear in the nodes.
 
     Parameters
     ----------
     joined : Joined
-        Triangulations of two grids without a common node, unmarked. Its `marks` are filled:
-        surviving triangles are those without a passed corner.
+        Triangulations of two grids without a common node. Its marks are filled: surviving
+        triangles are those without a passed corner.
     progress : callable, optional
         Called between chains with the share of the largest possible number of triangles; may raise
         to cancel.
+    record : bool
+        Whether to record what tracing does, for teaching.
 
     Returns
     -------
@@ -214,31 +139,48 @@ def extract_chains(joined: Joined, progress: Callable[[float], None] | None = No
     ----------
     Section 3.1 of the paper; Kirkpatrick 1979; Mestetskiy and Tsarik 2004.
     """
+    room = 8 * len(joined.nodes) if record else 0
+    while True:
+        chains, wanted = _run(joined, progress, np.empty((room, 4), np.int32) if record else None)
+        if wanted <= room:
+            return chains
+        room = wanted
+        joined.words[MARKS::WORDS] &= ~PASSED
+
+
+def _run(
+    joined: Joined, progress: Callable[[float], None] | None, events: Events
+) -> tuple[Chains, int]:
+    """Trace all chains; return the number of events too, which may be more than there is room."""
     count = len(joined.nodes)
     room = 2 * count
     base = np.empty(room, np.int32)
     apex = np.empty(room, np.int32)
     first = np.empty(room + 1, np.int32)
     closed = np.empty(room, np.bool_)
-    stack = np.empty(4 * count, np.int32)
-    counters = np.zeros(4, np.int64)
+    # an edge of a tree is pushed from either end, and once more where a chain closes over it
+    stack = np.empty(8 * count + 2, np.int32)
+    counters = np.zeros(6, np.int64)
     while not _extract(
         joined.nodes,
-        joined.start,
-        joined.twin,
-        joined.marks,
-        joined.split_nodes,
-        joined.split_edges,
+        joined.words,
+        joined.split,
+        joined.split_word,
         base,
         apex,
         first,
         closed,
         stack,
         counters,
-        int(counters[_TRIANGLES]) + _SLICE,
+        events,
+        int(counters[N_TRIANGLES]) + _SLICE,
     ):
         if progress is not None:
-            progress(float(counters[_TRIANGLES]) / room)
-    triangles, chains = int(counters[_TRIANGLES]), int(counters[_CHAINS])
+            progress(float(counters[N_TRIANGLES]) / room)
+    triangles, chains = int(counters[N_TRIANGLES]), int(counters[N_CHAINS])
     first[chains] = triangles
-    return Chains(base[:triangles], apex[:triangles], first[: chains + 1], closed[:chains])
+    found = np.empty((0, 4), np.int32) if events is None else events[: counters[N_EVENTS]]
+    return (
+        Chains(base[:triangles], apex[:triangles], first[: chains + 1], closed[:chains], found),
+        int(counters[N_EVENTS]),
+    )

@@ -4,9 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.interface.disc import disc_holds
+from surfcmp_core.interface.events import Event, Events, note
+from surfcmp_core.interface.joined import TWIN, WORDS, preceding
 from surfcmp_core.interface.smallest_circle import is_better
 from surfcmp_core.kernel import kernel
-from surfcmp_core.triangulation.half_edges import preceding
+
+_CIRCLE = int(Event.CIRCLE)
 
 
 @kernel
@@ -23,29 +26,25 @@ def _leftmost(nodes: NDArray[np.float64], begin: int, end: int) -> int:
 
 @kernel
 def _corner_towards(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    begin: int,
-    node: int,
-    other: int,
+    nodes: NDArray[np.float64], words: NDArray[np.int32], begin: int, node: int, other: int
 ) -> int:
     """Turn around a node to a corner whose triangle the other node destroys."""
     h = begin
-    while start[h] != node:
-        h += 1
-    while not disc_holds(nodes, start, h, nodes[other, 0], nodes[other, 1]):
-        h = twin[preceding(h)]
+    while words[h] != node:
+        h += 1 if h % WORDS < 2 else WORDS - 2
+    while not disc_holds(nodes, words, h, other):
+        h = int(words[preceding(h) + TWIN])
     return h
 
 
 @kernel
 def first_starter(
     nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    split_nodes: int,
-    split_edges: int,
+    words: NDArray[np.int32],
+    split: int,
+    split_word: int,
+    events: Events,
+    counters: NDArray[np.int64],
 ) -> tuple[int, int]:
     """Find the first starter: the corners of its two ends, each destroyed by the other end.
 
@@ -54,28 +53,28 @@ def first_starter(
     both. Where both leftmost nodes share their x there is no such circle, and the starter is the
     pair of neighbours on that vertical line.
     """
-    v = _leftmost(nodes, 0, split_nodes)
-    other = _leftmost(nodes, split_nodes, nodes.shape[0])
-    begin, end = split_nodes, nodes.shape[0]
-    v_edges, d_edges = 0, split_edges
-    if nodes[v, 0] < nodes[other, 0] or (
-        nodes[v, 0] == nodes[other, 0] and nodes[v, 1] < nodes[other, 1]
-    ):
-        v, other = other, v
-        begin, end = 0, split_nodes
-        v_edges, d_edges = split_edges, 0
+    v = _leftmost(nodes, 0, split)
+    d = _leftmost(nodes, split, nodes.shape[0])
+    begin, end = split, nodes.shape[0]
+    v_word, d_word = 0, split_word
+    if nodes[v, 0] < nodes[d, 0] or (nodes[v, 0] == nodes[d, 0] and nodes[v, 1] < nodes[d, 1]):
+        v, d = d, v
+        begin, end = 0, split
+        v_word, d_word = split_word, 0
     vx, vy = nodes[v, 0], nodes[v, 1]
-    d = other
-    ux = nodes[other, 0]
-    if ux < vx:
-        for k in range(begin, end):
-            if nodes[k, 0] < vx and k != d and is_better(nodes, vx, vy, ux, vy, d, k):
-                d = k
-    else:
-        for k in range(begin, end):
-            if nodes[k, 0] == vx and nodes[d, 1] < nodes[k, 1] < vy:
-                d = k
+    ux = nodes[d, 0]
+    if events is not None:
+        note(events, counters, _CIRCLE, v, d)
+    for k in range(begin, end):
+        if ux < vx:
+            better = nodes[k, 0] < vx and k != d and is_better(nodes, vx, vy, ux, vy, d, k)
+        else:
+            better = nodes[k, 0] == vx and nodes[d, 1] < nodes[k, 1] < vy
+        if better:
+            d = k
+            if events is not None:
+                note(events, counters, _CIRCLE, v, d)
     return (
-        _corner_towards(nodes, start, twin, v_edges, v, d),
-        _corner_towards(nodes, start, twin, d_edges, d, v),
+        _corner_towards(nodes, words, v_word, v, d),
+        _corner_towards(nodes, words, d_word, d, v),
     )

@@ -8,6 +8,21 @@ from surfcmp_core.predicates import compare_tangent_circles, orientation
 
 
 @kernel
+def _is_outer(
+    vx: float, vy: float, ux: float, uy: float, ax: float, ay: float, bx: float, by: float
+) -> bool:
+    """Whether b, on one circle with a, is farther out on the same side of the ray v→u."""
+    side_a = orientation(vx, vy, ux, uy, ax, ay)
+    side_b = orientation(vx, vy, ux, uy, bx, by)
+    if side_a == 0.0:
+        return side_b != 0.0
+    if side_b == 0.0 or (side_a > 0.0) != (side_b > 0.0):
+        return False
+    turn = orientation(vx, vy, ax, ay, bx, by)
+    return turn > 0.0 if side_a > 0.0 else turn < 0.0
+
+
+@kernel
 def is_better(
     nodes: NDArray[np.float64], vx: float, vy: float, ux: float, uy: float, best: int, d: int
 ) -> bool:
@@ -21,11 +36,4 @@ def is_better(
     order = compare_tangent_circles(vx, vy, ux, uy, ax, ay, bx, by)
     if order != 0.0:
         return order > 0.0
-    side_of_best = orientation(vx, vy, ux, uy, ax, ay)
-    side_of_d = orientation(vx, vy, ux, uy, bx, by)
-    if side_of_best == 0.0:
-        return side_of_d != 0.0
-    if (side_of_best > 0.0) != (side_of_d > 0.0) or side_of_d == 0.0:
-        return False
-    turn = orientation(vx, vy, ax, ay, bx, by)
-    return turn > 0.0 if side_of_best > 0.0 else turn < 0.0
+    return _is_outer(vx, vy, ux, uy, ax, ay, bx, by)

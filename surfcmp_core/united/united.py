@@ -7,10 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.interface import Chains, Joined, extract_chains, join
+from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, following
 from surfcmp_core.kernel import kernel
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, is_flat, triangulate
-from surfcmp_core.triangulation.half_edges import following, half_edges
+from surfcmp_core.triangulation.half_edges import half_edges
 from surfcmp_core.united.follow import follow_chains
 
 
@@ -59,24 +60,22 @@ class United:
 
 @kernel
 def _assemble(
-    start: NDArray[np.int32],
-    marks: NDArray[np.uint8],
+    words: NDArray[np.int32],
     base: NDArray[np.int32],
     apex: NDArray[np.int32],
     triangles: NDArray[np.int32],
 ) -> int:
     """Write the clouts' triangles, then the chains'; return the number of the former."""
     count = 0
-    for h in range(0, start.size, 3):
-        untouched = (marks[h] | marks[h + 1] | marks[h + 2]) & 1 == 0
-        if untouched and start[h + 2] >= 0:
-            triangles[count, 0] = start[h]
-            triangles[count, 1] = start[h + 1]
-            triangles[count, 2] = start[h + 2]
+    for h in range(0, words.size, WORDS):
+        if words[h + MARKS] & PASSED == 0 and words[h + 2] >= 0:
+            triangles[count, 0] = words[h]
+            triangles[count, 1] = words[h + 1]
+            triangles[count, 2] = words[h + 2]
             count += 1
     for k in range(base.size):
-        triangles[count + k, 0] = start[base[k]]
-        triangles[count + k, 1] = start[following(base[k])]
+        triangles[count + k, 0] = words[base[k]]
+        triangles[count + k, 1] = words[following(base[k])]
         triangles[count + k, 2] = apex[k]
     return count
 
@@ -84,7 +83,7 @@ def _assemble(
 def _merged(joined: Joined, chains: Chains) -> tuple[NDArray[np.int32], int]:
     """List the triangles of T in the numbers of `joined`, and count the clouts'."""
     triangles = np.empty((2 * len(joined.nodes), 3), np.int32)
-    clouts = _assemble(joined.start, joined.marks, chains.base, chains.apex, triangles)
+    clouts = _assemble(joined.words, chains.base, chains.apex, triangles)
     return triangles[: clouts + len(chains.base)], clouts
 
 
