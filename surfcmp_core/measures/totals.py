@@ -1,0 +1,199 @@
+"""The sums behind the measures, whichever way the difference was integrated."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.kernel import kernel
+from surfcmp_core.measures.compensated_sum import add
+from surfcmp_core.measures.measures import Measures
+from surfcmp_core.measures.percentiles import area_percentiles
+from surfcmp_core.measures.triangle_integrals import mean, mean_parts, mean_square, share_within
+
+_AREA = 0
+_AREA_INTERFACE = 1
+_VOLUME = 2
+_VOLUME_INTERFACE = 3
+_VOLUME_SIGNED = 4
+_VOLUME_ABOVE = 5
+_VOLUME_BELOW = 6
+_SQUARE = 7
+_RHO = 8
+_RHO_INTERFACE = 9
+_RHO_WEIGHTED = 10
+_WITHIN = 11
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TriangleValues:
+    """What each of M triangles contributes; NaN where a triangle is not compared."""
+
+    area: NDArray[np.float64]
+    """(M,) area in the plane."""
+    mean_abs: NDArray[np.float64]
+    """(M,) mean of |d| over the triangle."""
+    mean_signed: NDArray[np.float64]
+    """(M,) mean of d over the triangle."""
+
+
+def zero_sums(tolerances: Sequence[float]) -> NDArray[np.float64]:
+    """Make the sums to begin with, each in two parts.
+
+    Parameters
+    ----------
+    tolerances : sequence of float
+        Lengths.
+
+    Raises
+    ------
+    ValueError
+        Where a tolerance is negative or NaN.
+    """
+    if not all(tolerance >= 0.0 for tolerance in tolerances):
+        raise ValueError("a tolerance is negative or not a number")
+    return np.zeros((_WITHIN + len(tolerances), 2))
+
+
+def power_of_two_above(largest: float) -> float:
+    """Power of two that brings a length below 1 by division, which is exact."""
+    return math.ldexp(1.0, min(max(math.frexp(largest)[1], -1000), 1000))
+
+
+@kernel
+def add_piece(
+    triangle_sums: NDArray[np.float64],
+    area: float,
+    lo: float,
+    mid: float,
+    hi: float,
+    tolerances: NDArray[np.float64],
+) -> tuple[float, float]:
+    """Add the integrals over a piece of a triangle of T; return its means of |d| and of d.
+
+    Parameters
+    ----------
+    triangle_sums : (k,) float64
+        Of the triangle of T.
+    area : float
+        Of the piece: a triangle on which d is linear.
+    lo, mid, hi : float
+        d at its corners, sorted; in a unit that keeps |d| ≤ 1.
+    tolerances : float64
+        In the same unit.
+    """
+    signed = mean(lo, mid, hi)
+    above, below = mean_parts(lo, mid, hi)
+    absolute = above + below
+    triangle_sums[_AREA] += area
+    triangle_sums[_VOLUME] += area * absolute
+    triangle_sums[_VOLUME_SIGNED] += area * signed
+    triangle_sums[_VOLUME_ABOVE] += area * above
+    triangle_sums[_VOLUME_BELOW] += area * below
+    triangle_sums[_SQUARE] += area * mean_square(lo, mid, hi)
+    for n in range(len(tolerances)):
+        triangle_sums[_WITHIN + n] += area * share_within(lo, mid, hi, tolerances[n])
+    return absolute, signed
+
+
+@kernel
+def add_triangle(
+    sums: NDArray[np.float64],
+    triangle_sums: NDArray[np.float64],
+    interface: bool,
+    absolute: float,
+    weighted: float,
+) -> None:
+    """Add the sums of a triangle of T to those of all, and empty them for the next.
+
+    Parameters
+    ----------
+    sums : (k, 2) float64
+    triangle_sums : (k,) float64
+    interface : bool
+        Whether the triangle is representative.
+    absolute, weighted : float
+        Its terms of the paper's sums: V/S without and with the weight.
+    """
+    triangle_sums[_RHO] = absolute
+    triangle_sums[_RHO_WEIGHTED] = weighted
+    if interface:
+        triangle_sums[_AREA_INTERFACE] = triangle_sums[_AREA]
+        triangle_sums[_VOLUME_INTERFACE] = triangle_sums[_VOLUME]
+        triangle_sums[_RHO_INTERFACE] = absolute
+    for n in range(triangle_sums.size):
+        add(sums, n, triangle_sums[n])
+        triangle_sums[n] = 0.0
+
+
+def _ratio(part: float, whole: float) -> float:
+    return part / whole if whole else math.nan
+
+
+def measures_from(
+    sums: NDArray[np.float64],
+    values: TriangleValues,
+    largest: float,
+    unit: float,
+    *,
+    tolerances: Sequence[float],
+    footprint_1: float,
+    footprint_2: float,
+    hausdorff: tuple[float, float],
+) -> Measures:
+    """Make the measures of the sums.
+
+    Parameters
+    ----------
+    sums : (k, 2) float64
+        Filled by `add_piece` and `add_triangle`.
+    values : TriangleValues
+        For the percentiles.
+    largest : float
+        Largest |d|.
+    unit : float
+        Length in which `sums` and `largest` are.
+    tolerances, footprint_1, footprint_2, hausdorff
+        As for :func:`surfcmp_core.measures.measure`.
+
+    Returns
+    -------
+    Measures
+        Where no triangle is compared, sums are 0 and means, percentiles and shares NaN.
+    """
+    total = sums.sum(axis=1).tolist()
+    area, area_interface = total[_AREA], total[_AREA_INTERFACE]
+    compared = ~np.isnan(values.area)
+    if compared.all():
+        p50, p90, p95 = area_percentiles(values.mean_abs, values.area, (50, 90, 95))
+    else:
+        p50, p90, p95 = area_percentiles(
+            values.mean_abs[compared], values.area[compared], (50, 90, 95)
+        )
+    return Measures(
+        rho_V=total[_RHO] * unit,
+        rho_V_mu=total[_RHO_WEIGHTED] * unit,
+        rho_delta_V=total[_RHO_INTERFACE] * unit,
+        mean_abs=_ratio(total[_VOLUME], area) * unit,
+        mean_abs_interface=_ratio(total[_VOLUME_INTERFACE], area_interface) * unit,
+        mean_signed=_ratio(total[_VOLUME_SIGNED], area) * unit,
+        rms=math.sqrt(_ratio(total[_SQUARE], area)) * unit,
+        max_abs=largest * unit if area else math.nan,
+        p50=p50,
+        p90=p90,
+        p95=p95,
+        within_tolerance={
+            repr(float(tolerance)).removesuffix(".0"): _ratio(within, area)
+            for tolerance, within in zip(tolerances, total[_WITHIN:], strict=True)
+        },
+        volume_above=total[_VOLUME_ABOVE] * unit,
+        volume_below=total[_VOLUME_BELOW] * unit,
+        area_compared=area,
+        area_interface=area_interface,
+        coverage_1=area / footprint_1 if footprint_1 else 0.0,
+        coverage_2=area / footprint_2 if footprint_2 else 0.0,
+        hausdorff_1_2=hausdorff[0],
+        hausdorff_2_1=hausdorff[1],
+    )

@@ -1,0 +1,399 @@
+"""The exact reading against overlays cut in rationals, and against Monte-Carlo values."""
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from surfcmp_core.errors import Cancelled
+from surfcmp_core.grid import Grid, box_of, grid_of, shared_nodes
+from surfcmp_core.localisation import locate_from
+from surfcmp_core.measures import (
+    LinearSurface,
+    Measures,
+    TriangleValues,
+    measure,
+    measure_exactly,
+)
+from surfcmp_core.spanning_tree import spanning_tree
+from surfcmp_core.surface import Surface
+from surfcmp_core.triangulation import is_flat, triangulate
+from surfcmp_core.united import United, unite
+
+Floats = NDArray[np.float64]
+Vector = tuple[Fraction, Fraction]
+
+LAST: dict[str, Any] = {
+    "tolerances": (0.25, 1.0),
+    "footprint_1": 1.0,
+    "footprint_2": 2.0,
+    "hausdorff": (0.0, 0.0),
+}
+
+
+class Pair:
+    """Two clouds, their triangulations and T, ready to be measured."""
+
+    def __init__(self, points_1: Floats, points_2: Floats) -> None:
+        clouds = Surface(points_1, name="surface 1"), Surface(points_2, name="surface 2")
+        box = box_of(*clouds)
+        self.grids: list[Grid] = [grid_of(c, duplicates="mean", box=box) for c in clouds]
+        first, second = (triangulate(g.nodes, name=g.name) for g in self.grids)
+        trees = spanning_tree(first), spanning_tree(second)
+        self.united: United = unite(first, second, *trees, shared_nodes(*self.grids))
+        found_1 = locate_from(first, second.nodes, np.zeros(len(second.nodes), np.int32))
+        found_2 = locate_from(second, first.nodes, np.zeros(len(first.nodes), np.int32))
+        self.surfaces = [
+            LinearSurface(t, g.z, np.ones(t.real, bool), found)
+            for t, g, found in zip((first, second), self.grids, (found_1, found_2), strict=True)
+        ]
+
+    def measure(self, **changed: Any) -> tuple[TriangleValues, Measures]:
+        return measure_exactly(*self.surfaces, self.united, **(LAST | changed))
+
+    def hulls_in_common(self) -> float:
+        hulls = []
+        for surface in self.surfaces:
+            t = surface.triangulation
+            ghosts = np.arange(t.real, len(t.start) // 3)
+            onward = dict(
+                zip(t.start[3 * ghosts + 1].tolist(), t.start[3 * ghosts].tolist(), strict=True)
+            )
+            walk = [next(iter(onward))]
+            while onward[walk[-1]] != walk[0]:
+                walk.append(onward[walk[-1]])
+            hulls.append(exact(t.nodes[walk]))
+        return float(area_of(cut(*hulls)))
+
+
+def exact(nodes: Floats) -> list[Vector]:
+    return [(Fraction(x), Fraction(y)) for x, y in nodes.tolist()]
+
+
+def turn(a: Vector, b: Vector, c: Vector) -> Fraction:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+
+
+def keep_left(polygon: list[Vector], at: list[Fraction]) -> list[Vector]:
+    """Cut where the linear function with these values at the corners is negative."""
+    kept = []
+    for k, p in enumerate(polygon):
+        before = polygon[k - 1]
+        if at[k - 1] * at[k] < 0:
+            s = at[k - 1] / (at[k - 1] - at[k])
+            kept.append((before[0] + s * (p[0] - before[0]), before[1] + s * (p[1] - before[1])))
+        if at[k] >= 0:
+            kept.append(p)
+    return kept
+
+
+def cut(polygon: list[Vector], by: list[Vector]) -> list[Vector]:
+    for k, q in enumerate(by):
+        if polygon:
+            polygon = keep_left(polygon, [turn(by[k - 1], q, p) for p in polygon])
+    return polygon
+
+
+def area_of(polygon: list[Vector]) -> Fraction:
+    fan = range(1, len(polygon) - 1)
+    return sum((turn(polygon[0], polygon[k], polygon[k + 1]) for k in fan), Fraction(0)) / 2
+
+
+def linear(corners: list[Vector], z: list[float]) -> Any:
+    a, b, c = corners
+    whole = turn(a, b, c)
+
+    def value(p: Vector) -> Fraction:
+        parts = turn(b, c, p), turn(c, a, p), turn(a, b, p)
+        return sum((w * Fraction(v) for w, v in zip(parts, z, strict=True)), Fraction(0)) / whole
+
+    return value
+
+
+def product_over(polygon: list[Vector], f: list[Fraction], g: list[Fraction]) -> Fraction:
+    """∬ f g of linear functions given at the corners."""
+    total = Fraction(0)
+    for k in range(1, len(polygon) - 1):
+        i = (0, k, k + 1)
+        fs, gs = [f[j] for j in i], [g[j] for j in i]
+        both = sum((x * y for x, y in zip(fs, gs, strict=True)), Fraction(0))
+        area = turn(polygon[0], polygon[k], polygon[k + 1]) / 2
+        total += area * (both + sum(fs, Fraction(0)) * sum(gs, Fraction(0))) / 12
+    return total
+
+
+def by_brute_force(pair: Pair, weight: list[float]) -> tuple[NDArray[Any], dict[str, Fraction]]:
+    """Area, ∬|d|, ∬d of every triangle of T, and further integrals, over all triples."""
+    united = pair.united
+    places = exact(united.nodes)
+    rows = []
+    totals = dict.fromkeys(("square", "weighted", "within", "whole"), Fraction(0))
+    sides = [
+        [
+            (
+                [(Fraction(x), Fraction(y)) for x, y in s.triangulation.nodes[t].tolist()],
+                s.z[t].tolist(),
+            )
+            for t in s.triangulation.triangles[s.valid]
+        ]
+        for s in pair.surfaces
+    ]
+    for t in united.triangles.tolist():
+        corners = [places[v] for v in t]
+        mu = linear(corners, [weight[v] for v in t])
+        row = [Fraction(0)] * 3
+        weighted = Fraction(0)
+        for corners_1, z_1 in sides[0]:
+            part = cut(corners, corners_1)
+            if area_of(part) == 0:
+                continue
+            for corners_2, z_2 in sides[1]:
+                piece = cut(part, corners_2)
+                if area_of(piece) == 0:
+                    continue
+                f_1, f_2 = linear(corners_1, z_1), linear(corners_2, z_2)
+                d = [f_1(p) - f_2(p) for p in piece]
+                ones = [Fraction(1)] * len(piece)
+                row[0] += area_of(piece)
+                row[2] += product_over(piece, d, ones)
+                totals["square"] += product_over(piece, d, d)
+                for sign in (1, -1):
+                    half = keep_left(piece, [sign * v for v in d])
+                    d_half = [sign * (f_1(p) - f_2(p)) for p in half]
+                    row[1] += product_over(half, d_half, [Fraction(1)] * len(half))
+                    weighted += product_over(half, d_half, [mu(p) for p in half])
+                strip = keep_left(piece, [Fraction(1, 4) - v for v in d])
+                if strip:
+                    strip = keep_left(strip, [f_1(p) - f_2(p) + Fraction(1, 4) for p in strip])
+                totals["within"] += area_of(strip)
+        totals["weighted"] += weighted / area_of(corners)
+        totals["whole"] += row[1] / area_of(corners)
+        rows.append(row)
+    return np.array(rows), totals
+
+
+def check(pair: Pair, slack: float = 1e-12) -> None:
+    weight = [(7 * v % 5) / 4.0 for v in range(len(pair.united.nodes))]
+    values, found = pair.measure(node_weight=np.array(weight))
+    rows, totals = by_brute_force(pair, weight)
+    area, volume, signed = rows.astype(float).T
+    height = float(max(abs(s.z).max() for s in pair.surfaces)) + 1.0
+    # Slivers may be lost, and then the whole triangle.
+    there = ~np.isnan(values.area)
+    assert np.nan_to_num(values.area) == pytest.approx(area, rel=slack, abs=slack * area.max())
+    small = slack * area.max() * height
+    assert (values.area * values.mean_abs)[there] == pytest.approx(
+        volume[there], rel=slack, abs=small
+    )
+    assert (values.area * values.mean_signed)[there] == pytest.approx(
+        signed[there], rel=slack, abs=small
+    )
+    whole = area.sum()
+    if whole == 0.0:
+        assert found.area_compared == 0.0
+        return
+    assert found.area_compared == pytest.approx(whole, rel=slack)
+    assert found.volume_above + found.volume_below == pytest.approx(
+        volume.sum(), rel=slack, abs=small
+    )
+    assert found.volume_above - found.volume_below == pytest.approx(
+        signed.sum(), rel=slack, abs=small
+    )
+    assert found.mean_abs == pytest.approx(volume.sum() / whole, rel=slack, abs=slack * height)
+    assert found.rms**2 * whole == pytest.approx(
+        float(totals["square"]), rel=slack, abs=small * height
+    )
+    assert found.within_tolerance["0.25"] * whole == pytest.approx(
+        float(totals["within"]), rel=1e-9, abs=1e-9 * whole
+    )
+    assert found.rho_V == pytest.approx(float(totals["whole"]), rel=1e-9, abs=1e-9)
+    assert found.rho_V_mu == pytest.approx(float(totals["weighted"]), rel=1e-9, abs=1e-9)
+
+
+def pair_of(*clouds: list[tuple[float, float, float]]) -> Pair | None:
+    """Merge what stands at one place; None where a cloud has no triangle."""
+    unique = [
+        np.array([(x, y, z) for (x, y), z in {(x, y): z for x, y, z in c}.items()]) for c in clouds
+    ]
+    if any(len(c) < 3 or is_flat(c[:, :2]) for c in unique):
+        return None
+    return Pair(*unique)
+
+
+lattice_node = st.tuples(st.integers(0, 4), st.integers(0, 4), st.integers(-2, 2))
+free_node = st.tuples(st.floats(-3.0, 7.0), st.floats(-3.0, 7.0), st.floats(-2.0, 2.0))
+lattice_cloud = st.lists(lattice_node, min_size=3, max_size=7)
+free_cloud = st.lists(free_node, min_size=3, max_size=7)
+cloud = st.one_of(
+    lattice_cloud, free_cloud.map(lambda c: [(round(x, 2), round(y, 2), z) for x, y, z in c])
+)
+
+
+@settings(max_examples=60)
+@given(cloud, cloud, st.integers(0, 3))
+def test_against_all_triples_in_rationals(
+    one: list[tuple[float, float, float]], two: list[tuple[float, float, float]], holes: int
+) -> None:
+    pair = pair_of(one, two)
+    if pair is not None:
+        for surface in pair.surfaces:
+            surface.valid[:holes] = False
+        check(pair)
+
+
+def test_strip_across_a_triangle() -> None:
+    # No node of the strip is near the triangle it crosses, whose corners are all outside it.
+    strip = [(-20.0, 3.0, 0.0), (-20.0, 4.0, 1.0), (30.0, 3.2, 2.0), (30.0, 4.2, -1.0)]
+    triangle = [(0.0, 0.0, 0.5), (10.0, 0.0, 0.0), (5.0, 10.0, 1.0)]
+    for clouds in ((strip, triangle), (triangle, strip)):
+        pair = pair_of(*clouds)
+        assert pair is not None
+        assert pair.united.origin.max() > 0
+        check(pair)
+        assert pair.measure()[1].area_compared > 6.0
+
+
+def test_nothing_in_common() -> None:
+    pair = Pair(
+        np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]]),
+        np.array([[5.0, 0.0, 1.0], [6.0, 0.0, 1.0], [5.0, 1.0, 1.0]]),
+    )
+    values, found = pair.measure()
+    assert np.isnan(values.area).all()
+    assert found.area_compared == found.rho_V == 0.0
+    assert math.isnan(found.mean_abs)
+
+
+def random_pair(seed: int, n1: int, n2: int, offset: float = 0.0, shrink: float = 1.0) -> Pair:
+    rng = np.random.default_rng(seed)
+    one, two = rng.random((n1, 3)), rng.random((n2, 3))
+    two[:, :2] = 0.4 + two[:, :2] * shrink
+    for points in (one, two):
+        points[:, :2] += offset
+        points[:, 2] = np.sin(5.0 * (points[:, 0] - offset)) + 0.05 * points[:, 2]
+    return Pair(one, two)
+
+
+@pytest.mark.parametrize(
+    ("n1", "n2", "offset", "shrink"),
+    [
+        (300, 300, 0.0, 1.0),
+        (300, 20, 0.0, 1.0),
+        (20, 300, 1e6, 1.0),
+        (30, 300, 0.0, 1e-6),
+        (300, 300, 0.0, 0.5),
+    ],
+)
+def test_areas_fill_what_both_hulls_cover(n1: int, n2: int, offset: float, shrink: float) -> None:
+    pair = random_pair(0, n1, n2, offset, shrink)
+    values, found = pair.measure()
+    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11)
+    assert np.nansum(values.area) == pytest.approx(found.area_compared, rel=1e-13)
+    volume = np.nansum(values.area * values.mean_abs)
+    assert volume == pytest.approx(found.volume_above + found.volume_below, rel=1e-13)
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.5, 0.25])
+def test_lattices(shift: float) -> None:
+    x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
+    one = np.column_stack([x.ravel(), y.ravel(), (x * y).ravel() % 7.0])
+    two = one - np.array([shift, shift, 0.25])
+    pair = Pair(one, two)
+    _, found = pair.measure()
+    assert found.area_compared == pytest.approx((11.0 - shift) ** 2, rel=1e-13)
+    if shift == 0.0:
+        assert found.mean_signed == found.mean_abs == found.max_abs == found.p50 == 0.25
+
+
+def test_equal_surfaces_differ_by_nothing() -> None:
+    points = np.random.default_rng(1).random((200, 3)) + np.array([0.0, 0.0, 1e6])
+    _, found = Pair(points, points[::-1].copy()).measure()
+    assert found.max_abs == found.rho_V == found.rms == found.mean_signed == 0.0
+    assert found.within_tolerance == {"0.25": 1.0, "1": 1.0}
+
+
+def test_planes_have_one_reading() -> None:
+    pair = random_pair(2, 60, 50, shrink=0.5)
+    for surface, slope in zip(pair.surfaces, (0.5, -1.0), strict=True):
+        surface.z[:] = surface.triangulation.nodes @ [slope, 0.25] - 0.4 * slope
+    z_1, z_2 = (pair.united.nodes @ [slope, 0.25] - 0.4 * slope for slope in (0.5, -1.0))
+    values, found = pair.measure()
+    full = np.abs(values.area - nodal_area(pair)) <= 1e-12
+    nodal, _ = measure(
+        pair.united.nodes, pair.united.label, pair.united.triangles, z_1, z_2, full, **LAST
+    )
+    assert values.mean_abs[full] == pytest.approx(nodal.mean_abs[full], rel=1e-10, abs=1e-14)
+    assert values.mean_signed[full] == pytest.approx(nodal.mean_signed[full], rel=1e-10, abs=1e-14)
+    assert found.max_abs >= np.nanmax(values.mean_abs)
+
+
+def nodal_area(pair: Pair) -> Floats:
+    a, b, c = (pair.united.nodes[pair.united.triangles[:, k]] for k in range(3))
+    u, v = b - a, c - a
+    return np.asarray((u[:, 0] * v[:, 1] - v[:, 0] * u[:, 1]) / 2.0)
+
+
+def test_exchange_changes_signs_only() -> None:
+    pair = random_pair(3, 150, 90, shrink=0.8)
+    _, found = pair.measure()
+    other = Pair(
+        *(np.column_stack([g.nodes, g.z]) for g in reversed(pair.grids)),
+    )
+    _, exchanged = other.measure()
+    assert exchanged.mean_signed == pytest.approx(-found.mean_signed, rel=1e-12)
+    assert exchanged.volume_above == pytest.approx(found.volume_below, rel=1e-12)
+    for key in ("area_compared", "mean_abs", "rms", "max_abs", "rho_V", "rho_delta_V", "p90"):
+        assert getattr(exchanged, key) == pytest.approx(getattr(found, key), rel=1e-12), key
+
+
+def test_unit_of_length_is_a_power_of_two() -> None:
+    pair = random_pair(4, 80, 80)
+    values, found = pair.measure()
+    small = random_pair(4, 80, 80)
+    for nodes in (small.united.nodes, *(s.triangulation.nodes for s in small.surfaces)):
+        nodes *= 2.0**-20
+    small_values, same = small.measure(length=2.0**20)
+    assert same == found
+    assert np.array_equal(small_values.area, values.area, equal_nan=True)
+
+
+def test_progress_may_cancel() -> None:
+    def stop(_share: float) -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        random_pair(5, 10, 10).measure(progress=stop)
+
+
+def pairs_of_scans() -> list[tuple[str, str]]:
+    return [
+        ("face_avg_f18", "face_avg_f66"),
+        ("face_demo_10k", "face_demo_1k"),
+        ("face_ict_neutral", "face_ict_smile"),
+        ("face_nricp_source", "face_nricp_target"),
+        ("jaw_crowns_pred_L0", "jaw_crowns_ref_L0"),
+        ("ct_skin", "ct_skull"),
+        ("terrain_ttp_2015", "terrain_ttp_2023"),
+        ("terrain_leo_20180606", "terrain_leo_20180920"),
+    ]
+
+
+@pytest.mark.parametrize(("a", "b"), pairs_of_scans())
+def test_monte_carlo_over_both_hulls(shared: Path, a: str, b: str) -> None:
+    known = {
+        (k["a"], k["b"]): k
+        for k in json.loads((shared / "data/pairs_monte_carlo.json").read_text())
+    }
+    points = [np.load(shared / f"data/{name}.npz")["points"].astype(np.float64) for name in (a, b)]
+    pair = Pair(*points)
+    _, found = pair.measure()
+    volume = found.volume_above + found.volume_below
+    assert abs(volume - known[a, b]["int_abs"]) <= 4.0 * known[a, b]["se"]
+    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11)
