@@ -38,7 +38,7 @@ class Actions(QObject):
         edit.addSeparator()
         self.swap = self._add(edit, self.tr("&Exchange surfaces"), self.swap_surfaces, "Ctrl+E")
         self._add(edit, self.tr("&Copy measures as table"), window.measures.copy_table)
-        self.cancel = self._add(edit, self.tr("&Stop comparing"), self.stop, "Esc")
+        self.cancel = self._add(edit, self.tr("&Stop, or let go"), self.stop, "Esc")
         self.view_menu = bar.addMenu(self.tr("&View"))
         names = [frame.canvas.accessibleName() for frame in window.grid.frames]
         for view in range(VIEWS):
@@ -50,6 +50,8 @@ class Actions(QObject):
         self._add(self.view_menu, self.tr("Show everything"), window.display.go_home, "Home")
         self._add(self.view_menu, self.tr("Triangles' sides"), self.toggle_edges, "E")
         self._add(self.view_menu, self.tr("Dark or light"), self.toggle_dark, "Ctrl+D")
+        keep = self.tr("Keep the label")
+        self._add(self.view_menu, keep, lambda: window.showing.keep_probe(), "K")
         self.view_menu.addSeparator()
         for dock in window.docks:
             self.view_menu.addAction(dock.toggleViewAction())
@@ -93,8 +95,11 @@ class Actions(QObject):
             self._window.session.open(paths, number)
 
     def stop(self) -> None:
-        """Stop comparing; what was shown stays."""
-        self._window.session.runner.cancel()
+        """Stop comparing; where nothing runs, let go of what is picked, chosen or brushed."""
+        if self._window.session.runner.busy:
+            self._window.session.runner.cancel()
+        else:
+            self._window.display.change(chain=None, picked=None, brush=None)
 
     def swap_surfaces(self) -> None:
         """Exchange surfaces 1 and 2."""

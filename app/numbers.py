@@ -16,6 +16,13 @@ def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, s
     return numbers.with_unit(value, power, unit)
 
 
+def figure(value: float | None) -> str:
+    """Five significant figures; a dash where there is no value."""
+    from surfcmp_core.report import numbers
+
+    return numbers.figure(value)
+
+
 def thousands(count: int) -> str:
     """Group digits by thin spaces: 1 234 567."""
     from surfcmp_core.report import numbers

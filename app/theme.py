@@ -138,17 +138,19 @@ def style_sheet(c: Theme) -> str:
         selection-color: {c.on_accent}; }}
     QWidget#panel, QWidget#dockTitle {{ background: {c.panel}; }}
     QPushButton::menu-indicator {{ image: none; width: 0; }}
+    QTabBar {{ qproperty-drawBase: 0; }}
     QTabBar::tab {{ background: {c.window}; color: {c.quiet}; padding: 6px 14px;
         border: none; border-bottom: 2px solid transparent; }}
     QTabBar::tab:selected {{ background: {c.panel}; color: {c.text};
         border-bottom: 2px solid {c.accent}; }}
     QTabBar::tab:hover {{ color: {c.text}; }}
     QHeaderView::section {{ background: {c.panel}; color: {c.quiet}; border: none;
-        border-bottom: 1px solid {c.line}; padding: 6px 8px; }}
+        border-bottom: 1px solid {c.line}; padding: 6px 4px; }}
     QTableView, QTreeView, QListView {{ background: {c.panel}; border: none;
         gridline-color: {c.line}; alternate-background-color: {c.raised};
         selection-background-color: {c.hover}; selection-color: {c.text}; outline: none; }}
-    QTableView::item, QTreeView::item {{ padding: 2px 8px; }}
+    QTreeView::item {{ padding: 2px 8px; }}
+    QTableView::item {{ padding: 2px 4px; }}
     QProgressBar {{ background: {c.hover}; border: none; border-radius: 3px; height: 6px;
         max-height: 6px; }}
     QProgressBar::chunk {{ background: {c.accent}; border-radius: 3px; }}

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QStackedWidget,
+    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -21,8 +22,10 @@ from app.actions import Actions
 from app.controllers.display import Display
 from app.icons import icon
 from app.panels.banner import Banner
+from app.panels.chains import ChainsPanel
 from app.panels.empty import EmptyState
 from app.panels.measures import MeasuresPanel
+from app.panels.probes import ProbesPanel
 from app.panels.progress import ProgressStrip
 from app.panels.scale import ScalePanel
 from app.panels.toolbar import Toolbar
@@ -77,8 +80,18 @@ class MainWindow(QMainWindow):
         self.scale = ScalePanel()
         self.docks: list[QDockWidget] = []
         self.add_dock("measures", self.tr("Measures"), self.measures)
+        self.chains = ChainsPanel()
+        self.add_dock("chains", self.tr("Chains"), self.chains)
+        self.probes = ProbesPanel()
+        self.add_dock("probes", self.tr("Places"), self.probes)
         self.add_dock("scale", self.tr("Colour scale"), self.scale)
-        self.resizeDocks(self.docks, [340, 340], Qt.Orientation.Horizontal)
+        for dock in self.docks[1:-1]:
+            self.tabifyDockWidget(self.docks[0], dock)
+        for dock in self.docks[:-1]:  # their names stand on the tabs
+            dock.setTitleBarWidget(QWidget())
+        self.docks[0].raise_()
+        self.resizeDocks([self.docks[0], self.docks[-1]], [380, 380], Qt.Orientation.Horizontal)
+        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
         self.status = QLabel()
         self.status.setContentsMargins(UNIT, 0, 0, 0)
         self.progress = ProgressStrip()

@@ -7,9 +7,11 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.model.view_state import ViewState
+from app.numbers import short
 from app.scene.camera import Camera, home, showing
 from app.scene.content import Content
-from app.scene.pick import triangle_at
+from app.scene.pick import place_at, point_at, reading_at
+from app.views.canvas import Label
 from app.views.grid import ViewGrid
 from app.views.studio import Pictures, Studio, Wish
 
@@ -52,7 +54,7 @@ class Display(QObject):
     def set_content(self, content: Content | None) -> None:
         """Show another comparison; the camera stays where the box is much the same."""
         old, self.content = self.content, content
-        self.state = replace(self.state, picked=None, chain=None, brush=None)
+        self.state = replace(self.state, picked=None, probes=(), chain=None, brush=None)
         if content is not None and (old is None or not _alike(old, content)):
             self._camera = home(content.geometry, self._aspect(), self.state.relief)
         self.changed.emit()
@@ -129,10 +131,11 @@ class Display(QObject):
     def _pick(self, view: int, right: float, up: float) -> None:
         if self.content is None:
             return
-        found = triangle_at(
-            self.content.geometry.patches[2], self._camera, self.state.relief, right, up
-        )
-        self.change(picked=None if found == self.state.picked else found)
+        patch = self.content.geometry.patches[2]
+        place = place_at(patch, self._camera, self.state.relief, right, up)
+        old = self.state.picked
+        again = place is not None and old is not None and place.triangle == old.triangle
+        self.change(picked=None if again else place)
 
     def _aspect(self) -> float:
         sizes = self._grid.sizes()
@@ -148,8 +151,25 @@ class Display(QObject):
         self._studio.show(Wish(self.content, self.state, self._camera, self._grid.sizes(), moving))
 
     def _receive(self, pictures: Pictures) -> None:
-        self._grid.show_pictures(pictures)
+        self._grid.show_pictures(pictures, self._labels(pictures.wish))
         self.shown.emit(pictures)
+
+    def _labels(self, wish: Wish) -> list[Label]:
+        """Where the labels of the picked and kept places stand in these pictures."""
+        if wish.content is None:
+            return []
+        comparison, geometry = wish.content.comparison, wish.content.geometry
+        state = wish.state
+        places = [(place, True) for place in state.probes]
+        if state.picked is not None:
+            places.append((state.picked, False))
+        labels = []
+        for place, kept in places:
+            point = point_at(geometry, place, state.relief)
+            right, up, _ = wish.camera.project(point[None])[0]
+            text = short(float(f"{reading_at(comparison, place).difference:.3g}"))
+            labels.append(Label(float(right), float(up), text, kept))
+        return labels
 
 
 def _alike(one: Content, two: Content) -> bool:

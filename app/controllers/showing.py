@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from app.jobs.comparing import Compared
-from app.model.view_state import Heatmap
+from app.model.view_state import Heatmap, ViewState
 from app.numbers import thousands
 from app.panels.toolbar import HEATMAPS
+from app.scene.chain_table import chain_box
 from app.scene.furniture import colour_bar, legend
+from app.scene.pick import reading_at
 from app.scene.scale import fitting_limit
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import unit_of
@@ -36,6 +38,11 @@ class Showing(QObject):
         toolbar.swap_asked.connect(lambda: window.actions_of.swap_surfaces())
         toolbar.relief_chosen.connect(lambda on: display.change(relief=on))
         toolbar.heatmap_chosen.connect(lambda kind: display.change(heatmap=kind))
+        window.scale.brushed.connect(lambda brush: display.change(brush=brush))
+        window.chains.chosen.connect(self._fly)
+        window.probes.keep_asked.connect(self.keep_probe)
+        window.probes.remove_asked.connect(self._remove_probe)
+        window.probes.clear_asked.connect(lambda: display.change(probes=()))
         window.scale.changed.connect(lambda scale: display.change(scale=scale))
         window.scale.fit_asked.connect(self._fit)
         window.empty.open_asked.connect(self._open_missing)
@@ -59,7 +66,6 @@ class Showing(QObject):
         window.actions_of.undo.setEnabled(session.history.can_undo)
         window.actions_of.redo.setEnabled(session.history.can_redo)
         window.actions_of.swap.setEnabled(session.document.complete)
-        window.actions_of.cancel.setEnabled(busy)
         window.empty.tell(session.document.paths, busy)
         window.pages.setCurrentWidget(window.grid if session.shown else window.empty)
         if not busy:
@@ -79,6 +85,7 @@ class Showing(QObject):
             window.pages.setCurrentWidget(window.grid)
             window.grid.setFocus()
         window.measures.show_measures(comparison.measures, self.unit)
+        window.chains.show_chains(content.chains, self.unit)
         window.status.setText(self._summary(comparison))
         window.display.set_content(content)
         names = " – ".join(path.name for path in result.document.paths if path)
@@ -115,7 +122,7 @@ class Showing(QObject):
             self._dark = state.dark
             window.dress(state.dark)
         window.toolbar.show_state(state)
-        window.scale.show_scale(state.scale, self.unit)
+        window.scale.show_state(window.display.content, state, self.unit)
         if window.display.content is None:
             return
         comparison = window.display.content.comparison
@@ -141,6 +148,31 @@ class Showing(QObject):
                 legend(comparison, state, view),
             )
         self._measure_views()
+        self._show_probes(comparison, state)
+
+    def _show_probes(self, comparison: Comparison, state: ViewState) -> None:
+        kept = [reading_at(comparison, place) for place in state.probes]
+        picked = reading_at(comparison, state.picked) if state.picked else None
+        self._window.probes.show_readings(kept, picked, self.unit)
+
+    def keep_probe(self) -> None:
+        """Let the label of the picked place stay."""
+        display = self._window.display
+        if display.state.picked is not None:
+            probes = (*display.state.probes, display.state.picked)
+            display.change(probes=probes, picked=None)
+
+    def _remove_probe(self, number: int) -> None:
+        display = self._window.display
+        probes = display.state.probes
+        display.change(probes=probes[:number] + probes[number + 1 :])
+
+    def _fly(self, chain: int) -> None:
+        display = self._window.display
+        content = display.content
+        if content is not None:
+            display.change(chain=chain)
+            display.look_at(*chain_box(content.comparison, content.geometry, chain))
 
     def _sense(self, heatmap: Heatmap) -> str:
         if heatmap is Heatmap.SIGNED:

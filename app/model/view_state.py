@@ -43,6 +43,14 @@ class Scale:
 
 
 @dataclass(frozen=True, slots=True)
+class Place:
+    """A place on T: a triangle, and the weights of its nodes there."""
+
+    triangle: int
+    weights: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class ViewState:
     """What the four views show."""
 
@@ -52,8 +60,10 @@ class ViewState:
     edges: bool = True
     filled: int | None = None
     """The view (0 to 3) that has the window to itself."""
-    picked: int | None = None
-    """The triangle of T shown in all views."""
+    picked: Place | None = None
+    """The place on T shown in all views."""
+    probes: tuple[Place, ...] = ()
+    """Places whose labels stay."""
     chain: int | None = None
     """The chain that stands out from the others."""
     brush: tuple[float, float] | None = None

@@ -1,24 +1,33 @@
-"""A comparison together with the arrays it is drawn from."""
+"""A comparison together with what is shown of it and takes long to find."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from app.scene.chain_table import ChainTable, chain_table
+from app.scene.distribution import Distributions, distributions_of
 from app.scene.geometry import Geometry, geometry_of
 
-if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Content:
-    """What the views show."""
+    """What the views and panels show."""
 
     comparison: Comparison
     geometry: Geometry
+    distributions: Distributions
+    chains: ChainTable
 
 
 def content_of(comparison: Comparison) -> Content:
-    """Return the comparison ready to be drawn."""
-    return Content(comparison, geometry_of(comparison))
+    """Return the comparison ready to be shown."""
+    return Content(
+        comparison,
+        geometry_of(comparison),
+        distributions_of(comparison),
+        chain_table(comparison),
+    )

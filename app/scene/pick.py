@@ -1,13 +1,23 @@
-"""Which triangle lies under the pointer."""
+"""What lies under the pointer, and its values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from app.model.view_state import Place
 from app.scene.camera import Camera
-from app.scene.geometry import Patch
+from app.scene.geometry import Geometry, Patch
+
+if TYPE_CHECKING:
+    from surfcmp_core.comparison import Comparison
 
 
-def triangle_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> int | None:
-    """Return the nearest triangle of `patch` seen at a place of the picture, or None.
+def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> Place | None:
+    """Return the nearest place of `patch` seen at a point of the picture, or None.
 
     Parameters
     ----------
@@ -34,6 +44,49 @@ def triangle_at(patch: Patch, camera: Camera, relief: bool, right: float, up: fl
     hit = (total != 0) & ((weights * np.sign(total)) >= 0).all(axis=0)
     if not hit.any():
         return None
+    shares = weights[:, hit] / total[hit]
     depth = np.stack([seen[a, 2], seen[b, 2], seen[c, 2]])[:, hit]
-    nearness = (weights[:, hit] * depth).sum(axis=0) / total[hit]
-    return int(found[hit][np.argmax(nearness)])
+    nearest = int(np.argmax((shares * depth).sum(axis=0)))
+    first, second, third = (float(share) for share in shares[:, nearest])
+    return Place(int(found[hit][nearest]), (first, second, third))
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Values at a place; heights are linear on the triangle, NaN without data."""
+
+    x: float
+    y: float
+    z1: float
+    z2: float
+    mean_signed: float
+    """Of the whole triangle, as its colour shows."""
+
+    @property
+    def difference(self) -> float:
+        """D = z1 - z2 at the place."""
+        return self.z1 - self.z2
+
+
+def reading_at(comparison: Comparison, place: Place) -> Reading:
+    """Return the values at a place of T."""
+    nodes = comparison.united.triangles[place.triangle]
+    weights = np.array(place.weights)
+    x, y = weights @ comparison.united.nodes[nodes]
+    return Reading(
+        x=float(x),
+        y=float(y),
+        z1=float(weights @ comparison.z1[nodes]),
+        z2=float(weights @ comparison.z2[nodes]),
+        mean_signed=float(comparison.mean_signed[place.triangle]),
+    )
+
+
+def point_at(geometry: Geometry, place: Place, relief: bool) -> NDArray[np.float64]:
+    """Return (3,) where a place of T is drawn, in the scene's coordinates."""
+    patch = geometry.patches[2]
+    corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
+    point = np.array(place.weights) @ corners
+    if not relief:
+        point[2] = 0.0
+    return np.asarray(point)

@@ -152,9 +152,9 @@ def faded(colours: Colours, where: NDArray[np.bool_], towards: Rgb) -> Colours:
 
 def outline_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> NDArray[np.float32]:
     """Return (k, 2, 3) the sides of the picked triangle, just above the surface."""
-    if state.picked is None or state.picked >= len(comparison.united.triangles):
+    if state.picked is None:
         return NOTHING
-    corners = geometry.patches[2].points[comparison.united.triangles[state.picked]].copy()
+    corners = geometry.patches[2].points[comparison.united.triangles[state.picked.triangle]].copy()
     if not state.relief:
         corners[:, 2] = 0.0
     return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)

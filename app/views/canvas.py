@@ -1,23 +1,38 @@
 """One view on the screen: shows its picture and tells what the mouse does over it."""
 
+from dataclasses import dataclass
 from typing import override
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QEnterEvent,
+    QFontMetricsF,
     QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPen,
     QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.theme import LIGHT, UNIT, Theme
+
 CLICK_PIXELS = 4
 """A press that moved less is a click."""
 WHEEL_STEP = 1.15
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A value that stands beside its place, in shares of the height from the middle."""
+
+    right: float
+    up: float
+    text: str
+    kept: bool
 
 
 class Canvas(QWidget):
@@ -38,7 +53,8 @@ class Canvas(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 120)
         self._image: QImage | None = None
-        self._ground = QColor("white")
+        self._theme = LIGHT
+        self._labels: list[Label] = []
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moved = False
@@ -49,10 +65,9 @@ class Canvas(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(480, 360)
 
-    def show_image(self, image: QImage | None, ground: str) -> None:
-        """Show a picture, stretched to the widget where their sizes differ."""
-        self._image = image
-        self._ground = QColor(ground)
+    def show_image(self, image: QImage | None, theme: Theme, labels: list[Label]) -> None:
+        """Show a picture, stretched to the widget where their sizes differ, and labels."""
+        self._image, self._theme, self._labels = image, theme, labels
         self.update()
 
     def pixels(self) -> tuple[int, int]:
@@ -63,10 +78,33 @@ class Canvas(QWidget):
     @override
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.fillRect(self.rect(), self._ground)
+        painter.fillRect(self.rect(), QColor(self._theme.view))
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         if self._image is not None:
-            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             painter.drawImage(self._target(self._image), self._image)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for label in self._labels:
+            self._draw_label(painter, label)
+
+    def _draw_label(self, painter: QPainter, label: Label) -> None:
+        """Draw a dot on the place and its value beside it."""
+        at = QPointF(
+            self.width() / 2 + label.right * self.height(),
+            self.height() / 2 - label.up * self.height(),
+        )
+        metrics = QFontMetricsF(self.font())
+        wide = metrics.horizontalAdvance(label.text) + 1.5 * UNIT
+        box = QRectF(at.x() + UNIT, at.y() - 3 * UNIT, wide, metrics.height() + UNIT / 2)
+        ground = QColor(self._theme.panel if label.kept else self._theme.accent)
+        text = QColor(self._theme.text if label.kept else self._theme.on_accent)
+        painter.setPen(QPen(QColor(self._theme.text), 1))
+        painter.drawLine(at, QPointF(box.left(), box.bottom() - 2))
+        painter.setBrush(ground)
+        painter.drawEllipse(at, 3.0, 3.0)
+        painter.setPen(QPen(QColor(self._theme.line), 1))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setPen(text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label.text)
 
     def _target(self, image: QImage) -> QRectF:
         """Where the picture goes: its height fills the widget, its middle stays the middle."""

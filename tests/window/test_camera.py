@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from app.scene.camera import Camera, home, showing
 from app.scene.geometry import geometry_of
-from app.scene.pick import triangle_at
+from app.scene.pick import place_at
 from surfcmp_core.comparison import Comparison
 
 small_number = st.floats(-0.9, 0.9)
@@ -71,12 +71,12 @@ def test_the_triangle_under_its_own_middle_is_found(small: Comparison, relief: b
     nodes = patch.points.astype(float)
     middles = camera.project(nodes[patch.triangles].mean(axis=1))
     for t in range(0, len(patch.triangles), 7):
-        assert triangle_at(patch, camera, relief, *middles[t, :2]) == t
+        assert place_at(patch, camera, relief, *middles[t, :2]).triangle == t
 
 
 def test_beside_the_surface_there_is_nothing(small: Comparison):
     geometry = geometry_of(small)
-    assert triangle_at(geometry.patches[2], home(geometry, 1.0, False), False, 2.0, 2.0) is None
+    assert place_at(geometry.patches[2], home(geometry, 1.0, False), False, 2.0, 2.0) is None
 
 
 def test_what_is_nearer_is_picked():
@@ -87,4 +87,4 @@ def test_what_is_nearer_is_picked():
     )
     triangles = np.array([[3, 4, 5], [0, 1, 2]], dtype=np.int32)
     patch = Patch(points, np.zeros_like(points), triangles, 1.0)
-    assert triangle_at(patch, Camera(height=4.0), True, 0.05, 0.05) == 0
+    assert place_at(patch, Camera(height=4.0), True, 0.05, 0.05).triangle == 0
