@@ -3,7 +3,7 @@
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from surfcmp_core.progress import Progress
 from surfcmp_core.report import make_document
 from surfcmp_core.report.document import Document
 from surfcmp_core.surface import Surface
+
+if TYPE_CHECKING:
+    from surfcmp_core.placement import View
 
 UNIT = "mm"
 """Taken for granted, with a warning, where no file states a unit."""
@@ -99,8 +102,24 @@ def compare_surfaces(
 
     surfaces, warnings = _in_one_unit(surfaces)
     motion, alignment = _alignment(surfaces, settings.align, progress)
+    asked = {
+        "weight": None if settings.weight is None else str(settings.weight),
+        "align": alignment,
+        "project": settings.project,
+    }
+    placement = None
+    if settings.project == "z":
+        warnings += _folds(surfaces)
+    else:
+        from surfcmp_core.placement import place
+
+        view: View = "auto" if settings.project == "auto" else view_of(settings.project)
+        placement = place(*surfaces, view, motion)
+        warnings += placement.warnings
+        asked["view"] = placement.motions[0][2, :3].tolist()
+
     comparison = compare(
-        *surfaces,
+        *(placement.surfaces if placement else surfaces),
         domain=settings.domain,
         max_edge=settings.max_edge,
         exact=settings.exact,
@@ -108,20 +127,32 @@ def compare_surfaces(
         weight=None if settings.weight is None else read_weight(settings.weight),
         duplicates=settings.duplicates,
         threads=settings.threads,
-        align=motion,
-        frame=_frame(surfaces, motion, settings.project),
+        align=None if placement else motion,
         progress=progress,
         read_seconds=read_seconds,
     )
+    if placement:
+        first, second = (
+            replace(surface, dropped=part.dropped)
+            for surface, part in zip(surfaces, placement.surfaces, strict=True)
+        )
+        comparison = replace(comparison, surfaces=(first, second), transform=placement.motions[1])
     if settings.exact and not hasattr(comparison.measures, "exact"):
         warnings += ("--exact: not available yet; all measures are nodal",)
     comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
-    asked = {
-        "weight": None if settings.weight is None else str(settings.weight),
-        "align": alignment,
-        "project": settings.project,
-    }
     return comparison, make_document(comparison, asked)
+
+
+def _folds(surfaces: tuple[Surface, Surface]) -> tuple[str, ...]:
+    """Warn of meshes that are not one-valued along z."""
+    from surfcmp_core.io.facts import _folded
+
+    shares = ((surface.name, _folded(surface)) for surface in surfaces)
+    return tuple(
+        f"{name}: {100 * share:.3g} % of the mesh, seen along z, folds over (see --project)"
+        for name, share in shares
+        if share
+    )
 
 
 def _in_one_unit(
@@ -139,20 +170,6 @@ def _in_one_unit(
     names = " and ".join(one.name for one in silent)
     warnings = (f"no unit stated in {names}: taken as {unit}",) if silent else ()
     return (replace(first, unit=unit), replace(second, unit=unit)), warnings
-
-
-def _frame(
-    surfaces: tuple[Surface, Surface], motion: NDArray[np.float64] | None, project: str
-) -> NDArray[np.float64] | None:
-    """Return the rotation that brings the view along z (None: it is z already)."""
-    if project == "z":
-        return None
-    from surfcmp_core.projection import frame, moved, viewing_direction
-
-    if project != "auto":
-        return frame(view_of(project))
-    first, second = surfaces
-    return frame(viewing_direction(first, second if motion is None else moved(second, motion)))
 
 
 def _alignment(

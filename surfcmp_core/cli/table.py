@@ -46,8 +46,9 @@ def show(document: Document) -> None:
     for name, text in count_rows(document):
         counts.add_row("  " + name, text)
     out.print(counts)
+    out.print()
     for warning in document["warnings"]:
-        out.print(Text.assemble("\n", ("warning: ", "bold yellow"), warning))
+        out.print(Text.assemble(("warning: ", "bold yellow"), warning))
 
 
 def console() -> "Console":

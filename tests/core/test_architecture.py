@@ -14,10 +14,12 @@ FOREIGN = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", 
 FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
-    {"errors", "progress", "surface", "kernel", "_cache"},
+    {"errors", "progress", "surface", "_cache"},
+    {"kernel"},
     {"predicates"},
-    {"grid", "io", "projection"},
-    {"triangulation", "alignment", "samples"},
+    {"grid", "io", "thinning"},
+    {"triangulation", "projection", "samples"},
+    {"alignment", "placement"},
     {"spanning_tree"},
     {"localisation"},
     {"interpolation"},

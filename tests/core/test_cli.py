@@ -168,6 +168,48 @@ def test_directions_of_view(
     assert document["measures"]["mean_abs"] == pytest.approx(0.1, rel=0.02)
 
 
+def balls(folder: Path, *, z: float) -> str:
+    """Write a closed ball of radius 5 around (0, 0, z), as a mesh of latitudes and longitudes."""
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=5.0)
+    ball.apply_translation([0.0, 0.0, z])
+    file = folder / f"ball_{z:g}.off"
+    ball.export(file)
+    return str(file)
+
+
+def test_a_closed_mesh_is_cut_to_what_is_seen_and_the_rest_is_counted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    files = [balls(tmp_path, z=0.0), balls(tmp_path, z=0.25)]
+    assert main(["compare", *files, "--json", "--project", "view:0,0,3"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    for one, used in zip(document["inputs"], ("nodes_1", "nodes_2"), strict=True):
+        assert one["nodes"] == 642
+        assert one["nodes"] - sum(one["dropped"].values()) == document["counts"][used] < 400
+    assert document["measures"]["mean_signed"] == pytest.approx(-0.25)
+    assert document["options"]["view"] == [0.0, 0.0, 1.0]
+    assert sum("is not seen in this view and is left out" in w for w in document["warnings"]) == 2
+
+    assert main(["compare", *files, "--json", "--duplicates", "max"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert "% of the mesh, seen along z, folds over" in document["warnings"][-1]
+
+
+def test_view_and_motion_stand_together_in_the_transform(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    matrix = np.array([[0.0, -1, 0, 4], [1, 0, 0, 0], [0, 0, 1, 0.4], [0, 0, 0, 1]])
+    np.savetxt(tmp_path / "m.txt", matrix)
+    align = ["--align", str(tmp_path / "m.txt")]
+    for project, turn in (("z", np.eye(4)), ("view:0,0,-1", np.diag([1.0, -1, -1, 1]))):
+        assert main(["compare", *pair, *align, "--json", "--project", project]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert np.array_equal(document["transform"], turn @ matrix)
+        assert document["measures"]["mean_signed"] == pytest.approx(-0.5 * turn[2, 2])
+
+
 def test_a_best_fit_can_be_asked_for(
     pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -339,11 +381,15 @@ def test_a_full_disk_is_3_and_one_line(
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 @pytest.mark.parametrize(
-    ("target", "status", "said"),
-    [("pipe", 130, ""), ("/dev/full", 3, "surfcmp: standard output: No space left on device\n")],
+    ("command", "target", "status", "said"),
+    [
+        ("compare", "pipe", 130, ""),
+        ("--help", "pipe", 130, ""),
+        ("compare", "/dev/full", 3, "surfcmp: standard output: No space left on device\n"),
+    ],
 )
 def test_a_closed_or_full_standard_output_ends_without_a_traceback(
-    pair: tuple[str, str], target: str, status: int, said: str
+    pair: tuple[str, str], command: str, target: str, status: int, said: str
 ) -> None:
     if target == "pipe":
         reader, out = os.pipe()
@@ -351,12 +397,13 @@ def test_a_closed_or_full_standard_output_ends_without_a_traceback(
     else:
         out = os.open(target, os.O_WRONLY)
     done = subprocess.run(
-        [sys.executable, "-m", "app", "compare", *pair, "--json"],
+        [sys.executable, "-m", "app", command, *pair, *(["--json"] * (command == "compare"))],
         stdout=out,
         stderr=subprocess.PIPE,
         text=True,
         check=False,
         cwd=PROJECT,
+        env={name: text for name, text in os.environ.items() if name != "PYTHONUNBUFFERED"},
     )
     os.close(out)
     assert (done.returncode, done.stderr) == (status, said)

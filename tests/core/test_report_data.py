@@ -114,6 +114,8 @@ def test_options_are_all_there_as_used() -> None:
     assert set(options) >= {field.name for field in fields(comparison.options)}
     assert (options["align"], options["weight"]) == ("none", None)
     assert (options["max_edge"], options["max_edge_derived"]) == (None, True)
+    meshes = replace(comparison, max_edges=(math.inf, math.inf))
+    assert make_document(meshes)["options"]["max_edge_derived"] is False
     limitless = replace(comparison, options=replace(comparison.options, max_edge=math.inf))
     options = make_document(limitless)["options"]
     assert (options["max_edge"], options["max_edge_derived"]) == (None, False)

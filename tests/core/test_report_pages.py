@@ -91,7 +91,7 @@ def test_the_page_needs_no_network() -> None:
 
 def test_a_hostile_file_name_stays_text() -> None:
     comparison = two_squares()
-    name = "<script>alert('$x_1$ & \"')<script>面.ply"
+    name = "<script>alert('$x_{$ & \"')<script>面.ply"
     odd = replace(comparison.surfaces[0], path=Path(name), name=name)
     comparison = replace(comparison, surfaces=(odd, comparison.surfaces[1]))
     page = page_of(comparison)
@@ -113,9 +113,9 @@ def test_the_map_shows_values_and_what_was_not_compared() -> None:
 
     picture = imread(BytesIO(written(".png", two_squares())))[..., :3]
     assert picture.shape[0] > 600
-    seen = np.unique((picture * 255).round().astype(int).reshape(-1, 3), axis=0)
+    pixels = (picture * 255).round().astype(int)
     for colour in ((0xB4, 0xB8, 0xBF), (255, 255, 255)):  # not compared, the page
-        assert (seen == colour).all(axis=1).any()
+        assert (pixels == colour).all(axis=-1).mean() > 0.05
 
 
 def test_the_scale_ends_at_a_round_number_over_nearly_all_of_the_area() -> None:

@@ -1,0 +1,76 @@
+"""From two surfaces as they lie to two that can be compared along one view."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.projection import Removed, frame, moved, schlicht_part, viewing_direction
+from surfcmp_core.surface import Surface
+
+View = Literal["auto"] | tuple[float, float, float]
+"""The direction towards the viewer; "auto": the one that shows most of both surfaces."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Placement:
+    """Two surfaces seen along z, one-valued.
+
+    Attributes
+    ----------
+    surfaces : two Surface
+        What is seen, in the comparison's coordinates; nodes left out are counted in `dropped`.
+    removed : two Removed
+        What is not seen, and why.
+    motions : two (4, 4) float64
+        From the coordinates of each surface to the comparison's.
+    """
+
+    surfaces: tuple[Surface, Surface]
+    removed: tuple[Removed, Removed]
+    motions: tuple[NDArray[np.float64], NDArray[np.float64]]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """How much of each surface is left out, where it is more than nothing."""
+        result = []
+        for surface, removed in zip(self.surfaces, self.removed, strict=True):
+            lost, nodes = sum(removed.area.values()), sum(removed.nodes.values())
+            if lost > 0:
+                share = f"{100 * lost / (lost + removed.area_kept):.3g} % of its area"
+                result.append(f"{surface.name}: {share} is not seen in this view and is left out")
+            elif nodes:
+                result.append(f"{surface.name}: {nodes} nodes below others are left out")
+        return tuple(result)
+
+
+def place(
+    surface_1: Surface, surface_2: Surface, view: View, align: NDArray[np.float64] | None = None
+) -> Placement:
+    """Turn two surfaces so that the view runs along z, and keep what is seen of each.
+
+    Parameters
+    ----------
+    surface_1, surface_2
+        As they lie, in one unit.
+    view
+        One for both; any length.
+    align : (4, 4) float64, optional
+        Motion of surface 2 onto surface 1, before the view is taken.
+
+    Returns
+    -------
+    Placement
+
+    Raises
+    ------
+    InputError
+        A surface shows nothing in this view, or no view can be found.
+    """
+    second = surface_2 if align is None else moved(surface_2, align)
+    turn = frame(viewing_direction(surface_1, second) if view == "auto" else view)
+    motions = (turn, turn if align is None else turn @ align)
+    part_1, removed_1 = schlicht_part(moved(surface_1, motions[0]))
+    part_2, removed_2 = schlicht_part(moved(surface_2, motions[1]))
+    return Placement((part_1, part_2), (removed_1, removed_2), motions)
