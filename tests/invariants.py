@@ -61,6 +61,58 @@ def same(a: Ints, b: Ints, what: str) -> None:
     )
 
 
+def check_half_edges(triangulation: Triangulation) -> None:
+    """Twins are mutual, triangles close, and the ghosts close the hull, once and clockwise."""
+    t = triangulation
+    start, twin, real = t.start, t.twin, t.real
+    h = np.arange(len(start))
+    onward = np.where(h % 3 == 2, h - 2, h + 1)
+    assert start.dtype == twin.dtype == np.int32
+    assert start.shape == twin.shape == (3 * (len(start) // 3),)
+    assert np.array_equal(twin[twin], h)
+    assert (twin // 3 != h // 3).all()
+    assert np.array_equal(start[twin], start[onward])
+    assert np.array_equal(np.unique(start[: 3 * real]), np.arange(len(t.nodes)))
+    assert np.array_equal(t.triangles, start[: 3 * real].reshape(-1, 3))
+    ghosts = start[3 * real :].reshape(-1, 3)
+    assert (ghosts[:, 2] == -1).all()
+    assert (ghosts[:, :2] >= 0).all()
+    assert (twin[3 * real :: 3] < 3 * real).all()
+    assert (twin[: 3 * real] % 3 == 0)[twin[: 3 * real] >= 3 * real].all()
+    assert real == 2 * len(t.nodes) - 2 - len(ghosts)
+    order = [real]  # from each ghost to that of the next hull edge counter-clockwise
+    while (following := int(twin[3 * order[-1] + 2]) // 3) != real:
+        assert following > real
+        order.append(following)
+    assert len(set(order)) == len(order) == len(ghosts)
+    around = ghosts[np.array(order) - real]
+    assert np.array_equal(around[:, 0], np.roll(around[:, 1], -1))
+
+
+def check_delaunay(triangulation: Triangulation, *, ties: int = 1000) -> None:
+    """Triangles cover the convex hull and every edge is Delaunay, exactly.
+
+    Of edges between cocircular nodes so many are asked which of them is right.
+    """
+    t = triangulation
+    x, y = oracles.exact(t.nodes).T
+    a, b, c = t.triangles.T
+    areas = oracles.orientation(x[a], y[a], x[b], y[b], x[c], y[c])
+    assert (areas > 0).all()
+    assert areas.sum() == oracles.hull_area(t.nodes)
+    h = np.flatnonzero(t.twin[: 3 * t.real] < np.arange(3 * t.real))
+    onward = np.where(h % 3 == 2, h - 2, h + 1)
+    back = np.where(h % 3 == 0, h + 2, h - 1)
+    k = t.twin[h]
+    beyond = np.where(k % 3 == 0, k + 2, k - 1)
+    four = [t.start[edge] for edge in (h, onward, back, beyond)]
+    sides = oracles.in_circle(*(v for node in four for v in (x[node], y[node])))
+    assert (sides <= 0).all()
+    rng = np.random.default_rng(0)
+    for row in rng.permutation(np.flatnonzero(sides == 0))[:ties]:
+        assert not oracles.in_disc(*((x[node[row]], y[node[row]]) for node in four))
+
+
 def check_nodes(merged: Merged) -> None:
     """Every node is there once, under its label, at its place."""
     united = merged.united

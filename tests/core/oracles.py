@@ -6,7 +6,7 @@ All numbers are whole numbers of one unit so small that every coordinate is a mu
 
 from collections.abc import Iterable
 from fractions import Fraction
-from itertools import combinations, permutations
+from itertools import combinations, pairwise, permutations
 from typing import Any
 
 import numpy as np
@@ -122,6 +122,20 @@ def delaunay(nodes: NDArray[np.float64]) -> set[Triple]:
         if not any(in_disc(at[a], at[b], at[c], at[d]) for d in range(len(at)) if d not in triple):
             found.add((a, b, c))
     return found
+
+
+def hull_area(nodes: NDArray[np.float64]) -> int:
+    """Twice the area of the convex hull (Andrew 1979)."""
+    at = sorted(places(nodes))
+    hull: list[Place] = []
+    for way in (at, at[::-1]):
+        part: list[Place] = []
+        for p in way:
+            while len(part) > 1 and orientation(*part[-2], *part[-1], *p) <= 0:
+                part.pop()
+            part.append(p)
+        hull += part[:-1]
+    return int(sum(orientation(*hull[0], *p, *q) for p, q in pairwise(hull)))
 
 
 def squares(nodes: NDArray[np.float64], ends: Iterable[tuple[int, int]]) -> list[int]:
