@@ -3,8 +3,24 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.kernel import kernel
+
 _BATCH = 4096
 """Nodes whose nearest neighbour is looked up at once."""
+
+
+@kernel
+def _bounds(
+    points_1: NDArray[np.float64],
+    points_2: NDArray[np.float64],
+    near: NDArray[np.int32],
+    bound: NDArray[np.float64],
+) -> None:
+    for i in range(near.size):
+        j = near[i]
+        dx = points_1[i, 0] - points_2[j, 0]
+        dy = points_1[i, 1] - points_2[j, 1]
+        bound[i] = np.hypot(np.hypot(dx, dy), points_1[i, 2] - points_2[j, 2])
 
 
 def hausdorff(
@@ -29,7 +45,8 @@ def hausdorff(
     """
     from scipy.spatial import cKDTree
 
-    bound = np.linalg.norm(points_1 - points_2[near], axis=1)
+    bound = np.empty(len(points_1))
+    _bounds(points_1, points_2, near, bound)
     tree = cKDTree(points_2, balanced_tree=False, compact_nodes=False)
     largest = 0.0
     while bound.size:
