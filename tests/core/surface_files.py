@@ -112,6 +112,16 @@ def vtp_text(points: Points, faces: Faces = TWO) -> bytes:
     return _vtp(points, faces, array, 'byte_order="LittleEndian"', b"")
 
 
+def vtp_base64(points: Points, faces: Faces = TWO, apart: bool = False) -> bytes:
+    def array(name: str, kind: str, values: NDArray[np.generic]) -> str:
+        length, octets = struct.pack("<I", values.nbytes), values.tobytes()
+        coded = b64encode(length) + b64encode(octets) if apart else b64encode(length + octets)
+        head = f'<DataArray type="{kind}" Name="{name}" format="binary">'
+        return f"{head}{coded.decode()}</DataArray>"
+
+    return _vtp(points, faces, array, 'byte_order="LittleEndian"', b"")
+
+
 def vtp_compressed(points: Points, faces: Faces = TWO, block: int = 64) -> bytes:
     def array(name: str, kind: str, values: NDArray[np.generic]) -> str:
         octets = values.tobytes()

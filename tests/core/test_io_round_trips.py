@@ -26,6 +26,8 @@ MESHES: dict[str, tuple[str, Writer]] = {
     "vtk text": ("vtk", files.vtk_text),
     "vtk binary": ("vtk", files.vtk_binary),
     "vtp text": ("vtp", files.vtp_text),
+    "vtp base64": ("vtp", files.vtp_base64),
+    "vtp base64, lengths apart": ("vtp", lambda p, f: files.vtp_base64(p, f, apart=True)),
     "vtp compressed": ("vtp", files.vtp_compressed),
     "vtp appended big-endian": ("vtp", files.vtp_appended),
     "vtp appended little-endian": ("vtp", lambda p, f: files.vtp_appended(p, f, order="<")),
@@ -172,13 +174,14 @@ def test_binary_ply_of_triangles_and_quadrilaterals_with_other_properties(order:
         f"ply\nformat {form} 1.0\nelement camera 1\nproperty list uchar float view\n"
         "element vertex 4\nproperty uchar red\nproperty double z\nproperty double x\n"
         "property double y\nelement face 3\nproperty short flag\n"
-        "property list uchar int vertex_index\nproperty list uchar uchar colours\nend_header\n"
+        "property list ushort int vertex_index\nproperty list uchar uchar colours\nend_header\n"
     ).encode()
     body = b"\x02" + bytes(8)
     for x, y, z in files.SQUARE:
         body += b"\xff" + np.array([z, x, y], real).tobytes()
     for corners, colours in (([0, 1, 2], 1), ([0, 1, 2, 3], 0), ([0, 2, 3], 2)):
-        body += bytes(2) + bytes([len(corners)]) + np.array(corners, whole).tobytes()
+        length = np.array(len(corners), order + "u2").tobytes()
+        body += bytes(2) + length + np.array(corners, whole).tobytes()
         body += bytes([colours]) + bytes(colours)
     surface = _read("scan.ply", header + body)
     assert np.array_equal(surface.points, files.SQUARE)
@@ -196,3 +199,29 @@ def test_huge_extents_are_not_taken_for_a_line():
     big = math.ldexp(1.0, 1023)
     points = np.array([[-big, -big, 0], [big, big, 0], [big, -big, 0]])
     assert len(_read("scan.npy", files.npy(points)).points) == 3
+
+
+@pytest.mark.parametrize("kind", ["<f4", ">f8", "<i2"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_of_any_order_and_number_type(order: str, kind: str):
+    points = np.arange(12.0).reshape(4, 3) ** 2
+    array = np.asarray(points, kind, order=order)
+    for content, name in ((files.npy(array), "scan.npy"), (files.npz(array), "scan.npz")):
+        assert np.array_equal(_read(name, content).points, points)
+
+
+def test_vtp_pieces_are_joined():
+    def piece(height: int, kind: str, corners: str) -> str:
+        points = f"0 0 {height} 1 0 {height} 1 1 {height}"
+        return (
+            f'<Piece NumberOfPoints="3"><Points><DataArray type="Float64">{points}</DataArray>'
+            f'</Points><{kind}><DataArray type="Int32" Name="connectivity">{corners}</DataArray>'
+            f'<DataArray type="Int32" Name="offsets">3</DataArray></{kind}></Piece>'
+        )
+
+    pieces = piece(0, "Polys", "0 1 2") + piece(5, "Polys", "2 0 1") + piece(9, "Strips", "1 2 0")
+    text = f'<VTKFile type="PolyData"><PolyData>{pieces}</PolyData></VTKFile>'
+    surface = _read("scan.vtp", text.encode())
+    assert surface.points[:, 2].tolist() == [0, 0, 0, 5, 5, 5, 9, 9, 9]
+    assert surface.faces is not None
+    assert surface.faces.tolist() == [[0, 1, 2], [5, 3, 4], [7, 8, 6]]

@@ -21,6 +21,7 @@ def _mesh(strip: bool) -> Any:
     points.SetDataTypeToDouble()
     for node in NODES:
         points.InsertNextPoint(node)
+    points.GetData().GetRange(-1)  # a range once asked for is written as metadata
     mesh = vtk.vtkPolyData()
     mesh.SetPoints(points)
     for cells, add in (
@@ -32,6 +33,12 @@ def _mesh(strip: bool) -> Any:
         array = vtk.vtkCellArray()
         for cell in cells:
             array.InsertNextCell(len(cell), cell)
+        if cells == [[4]]:  # corners kept as vtkIdType are written as such
+            offsets, corners = vtk.vtkIdTypeArray(), vtk.vtkIdTypeArray()
+            for value in (0, 1):
+                offsets.InsertNextValue(value)
+            corners.InsertNextValue(4)
+            array.SetData(offsets, corners)
         add(array)
     values = vtk.vtkFloatArray()
     values.SetName("values")
