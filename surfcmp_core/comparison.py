@@ -64,6 +64,11 @@ class Comparison:
     alignment, then `frame`."""
     max_edges: tuple[float, float]
     """The `max_edge` used for each surface; inf for meshes and where there is no limit."""
+    mean_abs_exact: NDArray[np.float64] | None = None
+    """(M,) mean of |d| by the exact reading over the common part of the triangle; NaN where there
+    is none; None where the exact reading was not asked for."""
+    mean_signed_exact: NDArray[np.float64] | None = None
+    """(M,) the same of d."""
     frame: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
     """(4, 4) the motion of both surfaces into the plane of comparison, z along the view."""
     seconds: dict[str, float] = field(default_factory=dict)

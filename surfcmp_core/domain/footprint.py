@@ -47,6 +47,12 @@ class Footprint:
     max_edge: float
 
     @property
+    def covered(self) -> NDArray[np.bool_]:
+        """(m,) bool: triangles with data at their centroid."""
+        state = self.state[: self.triangulation.real]
+        return np.asarray((state == DATA) | (state == _PARTIAL))
+
+    @property
     def is_hull(self) -> bool:
         """Whether there is data in all of the convex hull."""
         return not self.state[: self.triangulation.real].any()

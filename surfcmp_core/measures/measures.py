@@ -50,3 +50,5 @@ class Measures:
     """Largest distance in space from a node of 1 to the nearest node of 2, length."""
     hausdorff_2_1: float = 0.0
     """Largest distance in space from a node of 2 to the nearest node of 1, length."""
+    exact: "Measures | None" = None
+    """The same measures by the exact reading, over the overlay of T1 and T2, where asked for."""
