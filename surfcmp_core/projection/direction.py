@@ -13,12 +13,12 @@ from surfcmp_core.projection.view import seen
 from surfcmp_core.surface import Surface
 
 _CLOSED = 0.25
-"""Below this openness a mesh counts as closed: every view shows about half of it."""
-_RANK = 1e-4
+"""Below this openness a mesh counts as closed."""
+_RANK = 1e-5
 """Weight of what decides among views that show the same area."""
 _FILLED = 4.0
 """In that, weight of the filled share of the outline beside the shadow's."""
-_ALIKE = 9
+_ALIKE = 10
 """Decimals to which two views are told apart."""
 _LATTICE = 3
 """The first views go through the points of a cube's surface, this many steps from its centre."""
@@ -33,11 +33,11 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     For meshes it is the direction from which the largest area is seen at once: facing the viewer
     and with nothing in front. Of views that show the same, one is taken that leaves few gaps in
     its convex outline (seen from where it was taken a scan has none: what is missing was hidden)
-    and casts a large shadow (for gently sloping meshes this is the area-weighted normal). A closed
-    mesh shows about half of itself in every view: there the largest shadow alone decides. Each
-    surface of a pair counts as much as the other. The search runs in axes that the shape itself
-    gives, so that a turned scan has the turned direction; meshes go by their outward sides
-    (right-hand rule).
+    and casts a large shadow (for gently sloping meshes this is the area-weighted normal). Every
+    view of a closed mesh shows about half of it: there it is the principal axis with the largest
+    shadow, on the side that shows more. Each surface of a pair counts as much as the other. The
+    search runs in axes that the shape itself gives, so that a turned scan has the turned direction;
+    meshes go by their outward sides (right-hand rule).
 
     Clouds have no sides. Beside a mesh they have no say; else the direction is the normal of their
     plane of least squares, on the side of the files' +z axis (+y, +x where it lies at right angles
@@ -62,9 +62,7 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     if not meshes:
         return _normal_of_clouds(surfaces)
     axes = _own_axes(meshes)
-    turned = [
-        Samples(m.places @ axes.T, m.normals @ axes.T, m.areas, m.hull @ axes.T) for m in meshes
-    ]
+    turned = [mesh.turned(axes) for mesh in meshes]
     found = _best_view(turned) @ axes
     return np.asarray(found / np.linalg.norm(found))
 
@@ -111,7 +109,8 @@ def _own_axes(meshes: list[Samples]) -> NDArray[np.float64]:
 
 
 def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
-    closed = bool(np.mean([m.openness for m in meshes]) < _CLOSED)
+    if np.mean([m.openness for m in meshes]) < _CLOSED:
+        return _best_axis(meshes)
 
     def value(direction: NDArray[np.float64]) -> float:
         total = 0.0
@@ -119,18 +118,12 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
             area, shadow = seen(mesh, direction)
             outline = 0.5 * float(np.abs(mesh.hull @ direction).sum())
             filled = shadow / outline if outline > 0.0 else 1.0
-            total += shadow if closed else area + _RANK * (_FILLED * filled + shadow)
+            total += area + _RANK * (_FILLED * filled + shadow)
         return total
 
-    steps = range(-_LATTICE, _LATTICE + 1)
-    lattice = [p for p in product(steps, repeat=3) if max(map(abs, p)) == _LATTICE]
-    first = np.array(lattice, np.float64)
-    normal = np.sum([m.areas @ m.normals for m in meshes], axis=0)
-    if normal.any():
-        first = np.vstack((first, normal))
-    first /= np.linalg.norm(first, axis=1)[:, None]
+    first = _views_all_round(meshes)
     values = np.array([value(d) for d in first])
-    # front and back of a mirrored mesh tie: its first triangles then decide, not the rounding
+    # where two sheets mirror each other, their views tie: the first triangles then decide
     order = np.lexsort((-first @ _order_moment(meshes), -values.round(_ALIKE)))
     best, best_value = first[order[0]], -np.inf
     for start in order[:_STARTS]:
@@ -140,6 +133,24 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
         if reached > best_value + 10.0**-_ALIKE:
             best, best_value = direction, reached
     return np.asarray(best)
+
+
+def _best_axis(meshes: list[Samples]) -> NDArray[np.float64]:
+    views = np.concatenate((np.eye(3), -np.eye(3)))
+    area, shadow = np.sum([[seen(m, d) for d in views] for m in meshes], axis=0).T
+    axis = int(np.argmax(shadow[:3] + shadow[3:]))
+    return np.asarray(views[axis if area[axis] >= area[axis + 3] else axis + 3])
+
+
+def _views_all_round(meshes: list[Samples]) -> NDArray[np.float64]:
+    steps = range(-_LATTICE, _LATTICE + 1)
+    views = np.array(
+        [p for p in product(steps, repeat=3) if max(map(abs, p)) == _LATTICE], np.float64
+    )
+    normal = np.sum([m.areas @ m.normals for m in meshes], axis=0)
+    if normal.any():
+        views = np.vstack((views, normal))
+    return np.asarray(views / np.linalg.norm(views, axis=1)[:, None])
 
 
 def _climb(

@@ -19,11 +19,41 @@ def _root(parent: NDArray[np.int32], node: int) -> int:
 
 
 @kernel
+def join_pieces(
+    faces: NDArray[np.int32], fate: NDArray[np.uint8], piece: NDArray[np.int32]
+) -> None:
+    """Find what hangs together: triangles that share a node belong to one piece.
+
+    Parameters
+    ----------
+    faces : (m, 3) int32
+    fate : (m,) uint8
+        Only KEPT ones count.
+    piece : (n,) int32
+        Set to the smallest node of the piece that each node belongs to.
+    """
+    for node in range(piece.size):
+        piece[node] = node
+    for t in range(faces.shape[0]):
+        if fate[t] == _KEPT:
+            a = piece[faces[t, 0]]
+            if a == piece[faces[t, 1]] and a == piece[faces[t, 2]]:
+                continue
+            a = _root(piece, a)
+            for i in range(1, 3):
+                b = _root(piece, faces[t, i])
+                piece[max(a, b)] = min(a, b)
+                a = min(a, b)
+    for node in range(piece.size):  # a parent's number is below its child's
+        piece[node] = piece[piece[node]]
+
+
+@kernel
 def drop_islands(
     faces: NDArray[np.int32],
     area: NDArray[np.float64],
     share: float,
-    parent: NDArray[np.int32],
+    piece: NDArray[np.int32],
     fate: NDArray[np.uint8],
 ) -> None:
     """Mark the pieces that are small beside the largest one.
@@ -31,34 +61,20 @@ def drop_islands(
     Parameters
     ----------
     faces : (m, 3) int32
-        Triangles that share a node belong to one piece.
     area : (m,) float64
     share : float
         Pieces below this share of the largest one's area go.
-    parent : (n,) int32
+    piece : (n,) int32
         Room to work in.
     fate : (m,) uint8
         Only KEPT ones count; set to ISLAND.
     """
-    for node in range(parent.size):
-        parent[node] = node
+    join_pieces(faces, fate, piece)
+    total = np.zeros(piece.size)
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
-            a = parent[faces[t, 0]]
-            if a == parent[faces[t, 1]] and a == parent[faces[t, 2]]:
-                continue
-            a = _root(parent, a)
-            for i in range(1, 3):
-                b = _root(parent, faces[t, i])
-                parent[max(a, b)] = min(a, b)
-                a = min(a, b)
-    total = np.zeros(parent.size)
-    for node in range(parent.size):  # a parent's number is below its child's
-        parent[node] = parent[parent[node]]
-    for t in range(faces.shape[0]):
-        if fate[t] == _KEPT:
-            total[parent[faces[t, 0]]] += area[t]
+            total[piece[faces[t, 0]]] += area[t]
     limit = share * total.max()
     for t in range(faces.shape[0]):
-        if fate[t] == _KEPT and total[parent[faces[t, 0]]] < limit:
+        if fate[t] == _KEPT and total[piece[faces[t, 0]]] < limit:
             fate[t] = _ISLAND

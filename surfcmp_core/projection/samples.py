@@ -1,19 +1,20 @@
-"""A mesh as a few thousand small flat pieces, to judge views of it quickly."""
+"""A mesh as a few thousand small flat bits, to judge views of it quickly."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.projection.islands import join_pieces
 from surfcmp_core.surface import Surface
 
 _WANTED = 16_000
-"""Pieces of a mesh: enough for a tenth of a degree, few enough for a millisecond a view."""
+"""Bits of a mesh: enough for a tenth of a degree, few enough for a millisecond a view."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
-    """Flat pieces of a mesh.
+    """Flat bits of a mesh.
 
     Attributes
     ----------
@@ -23,6 +24,8 @@ class Samples:
         Unit, outward by the right-hand rule.
     areas : (k,) float64
         As shares of the whole.
+    pieces : (k,) int32
+        Number of the connected part of the mesh each belongs to, from 0.
     hull : (f, 3) float64
         Vector areas of the facets of the convex hull, in the same shares; empty for flat meshes.
     """
@@ -30,16 +33,27 @@ class Samples:
     places: NDArray[np.float64]
     normals: NDArray[np.float64]
     areas: NDArray[np.float64]
+    pieces: NDArray[np.int32]
     hull: NDArray[np.float64]
 
     @property
     def openness(self) -> float:
-        """Length of the vector area over the area: 0 for a closed mesh, 1 for a flat one."""
-        return float(np.linalg.norm(self.areas @ self.normals))
+        """Length of the parts' vector areas over their area: 0 if all are closed, 1 if flat."""
+        vectors = [np.bincount(self.pieces, self.areas * n) for n in self.normals.T]
+        return float(np.linalg.norm(vectors, axis=0).sum())
+
+    def turned(self, axes: NDArray[np.float64]) -> "Samples":
+        """Give the same in other axes, the rows of a rotation."""
+        return replace(
+            self,
+            places=self.places @ axes.T,
+            normals=self.normals @ axes.T,
+            hull=self.hull @ axes.T,
+        )
 
 
 def samples_of(surface: Surface) -> Samples | None:
-    """Cut a mesh into pieces: every k-th triangle of a fine mesh, parts of those of a coarse one.
+    """Cut a mesh into bits: every k-th triangle of a fine mesh, parts of those of a coarse one.
 
     Parameters
     ----------
@@ -52,6 +66,8 @@ def samples_of(surface: Surface) -> Samples | None:
     """
     if surface.faces is None or not len(surface.faces):
         return None
+    piece_of = np.empty(len(surface.points), np.int32)
+    join_pieces(surface.faces, np.zeros(len(surface.faces), np.uint8), piece_of)
     faces = surface.faces[:: max(1, len(surface.faces) // _WANTED)]
     corners = surface.points[faces] - surface.points.mean(axis=0)
     vector = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -60,11 +76,18 @@ def samples_of(surface: Surface) -> Samples | None:
     if not real.any():
         return None
     corners, vector, double = corners[real], vector[real], double[real]
+    pieces = np.unique(piece_of[faces[real, 0]], return_inverse=True)[1].astype(np.int32)
     centres = _centres(max(1, round(np.sqrt(_WANTED / len(double)))))
     places = np.einsum("kc,mcx->mkx", centres, corners).reshape(-1, 3)
     areas = np.repeat(double, len(centres)) / (double.sum() * len(centres))
     normals = np.repeat(vector / double[:, None], len(centres), axis=0)
-    return Samples(places - areas @ places, normals, areas, _hull(places) / (double.sum() / 2.0))
+    return Samples(
+        places - areas @ places,
+        normals,
+        areas,
+        np.repeat(pieces, len(centres)),
+        _hull(places) / (double.sum() / 2.0),
+    )
 
 
 def _hull(places: NDArray[np.float64]) -> NDArray[np.float64]:

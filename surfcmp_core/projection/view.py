@@ -8,11 +8,13 @@ from surfcmp_core.projection.frame import frame
 from surfcmp_core.projection.samples import Samples
 
 _EACH_PIXEL = 4.0
-"""Pieces in front that a pixel of the depth buffer gets on average."""
+"""Bits in front that a pixel of the depth buffer gets on average."""
 _GRAZING = 0.01
-"""Cosine between view and normal below which a piece counts as seen in part only."""
+"""Cosine between view and normal below which a bit counts as seen in part only."""
+_WHOLE = 8
+"""Power of the share of a connected part that is seen: parts are to be seen whole."""
 _EDGE_ON = 1e-9
-"""Cosine below which a piece is not seen: more than rounding, less than any real slope."""
+"""Cosine below which a bit is not seen: more than rounding, less than any real slope."""
 
 
 @kernel
@@ -20,8 +22,10 @@ def _seen(
     places: NDArray[np.float64],
     normals: NDArray[np.float64],
     areas: NDArray[np.float64],
+    pieces: NDArray[np.int32],
     axes: NDArray[np.float64],
-) -> tuple[float, float]:
+    seen: NDArray[np.float64],
+) -> float:
     n = places.shape[0]
     at = np.empty((n, 4))
     front = 0
@@ -44,8 +48,8 @@ def _seen(
         low_v = min(low_v, at[i, 1])
         high_v = max(high_v, at[i, 1])
     if front == 0:
-        return 0.0, 0.0
-    # no more pixels than pieces, however thin the view is
+        return 0.0
+    # no more pixels than bits, however thin the view is
     box = (high_u - low_u) * (high_v - low_v)
     side = np.sqrt(box * _EACH_PIXEL / front)
     side = max(side, max(high_u - low_u, high_v - low_v) / front, 1e-300)
@@ -64,20 +68,20 @@ def _seen(
         # how far its plane may rise or fall within the pixel: a steep sheet does not hide itself
         reach[i] = np.sqrt(2.0 * max(0.0, 1.0 - facing * facing)) / facing * side
         top[pixel[i]] = max(top[pixel[i]], at[i, 2] - reach[i])
-    seen = 0.0
     shadow = 0.0
     for i in range(n):
         facing = at[i, 3]
-        if facing > _EDGE_ON and at[i, 2] + reach[i] + side >= top[pixel[i]]:
-            seen += areas[i] * min(facing / _GRAZING, 1.0)
+        if facing > _EDGE_ON and at[i, 2] + reach[i] + 2.0 * side >= top[pixel[i]]:
+            seen[pieces[i]] += areas[i] * min(facing / _GRAZING, 1.0)
             shadow += areas[i] * facing
-    return seen, shadow
+    return shadow
 
 
 def seen(samples: Samples, direction: NDArray[np.float64]) -> tuple[float, float]:
-    """Give the share of a surface that is seen from far along a direction.
+    """Judge how much of a surface is seen from far along a direction.
 
-    A piece is seen where it faces the viewer and no other one that does lies in front of it.
+    A bit of the surface is seen where it faces the viewer and no other one that does lies in front
+    of it.
 
     Parameters
     ----------
@@ -87,8 +91,14 @@ def seen(samples: Samples, direction: NDArray[np.float64]) -> tuple[float, float
 
     Returns
     -------
-    tuple of float
-        Area seen, and its shadow on the plane of the view; both as shares of the whole area.
+    seen : float
+        The area of all connected parts, each by a high power of the share of it that is seen:
+        a view that shows one sheet whole and hides the other outdoes one that shows most of both.
+    shadow : float
+        Area that what is seen covers in the plane of the view, as a share of the whole area.
     """
     axes = np.ascontiguousarray(frame(direction)[:3, :3])
-    return _seen(samples.places, samples.normals, samples.areas, axes)
+    by_piece = np.zeros(int(samples.pieces.max()) + 1)
+    shadow = _seen(samples.places, samples.normals, samples.areas, samples.pieces, axes, by_piece)
+    areas = np.bincount(samples.pieces, samples.areas)
+    return float(((by_piece / areas) ** _WHOLE @ areas)), shadow
