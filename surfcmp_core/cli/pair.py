@@ -137,8 +137,6 @@ def compare_surfaces(
             for surface, part in zip(surfaces, placement.surfaces, strict=True)
         )
         comparison = replace(comparison, surfaces=(first, second), transform=placement.motions[1])
-    if settings.exact and not hasattr(comparison.measures, "exact"):
-        warnings += ("--exact: not available yet; all measures are nodal",)
     comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
     return comparison, make_document(comparison, asked)
 

@@ -28,7 +28,8 @@ def show(document: Document) -> None:
 
     rows = columns("", "right", "", "")
     group = ""
-    for line in lines(document["measures"], unit):
+    measures = lines(document["measures"], unit)
+    for line in measures:
         if line.group != group:
             group = line.group
             rows.add_row()
@@ -38,7 +39,10 @@ def show(document: Document) -> None:
             "  " + line.name, Text(value, "bold"), Text(symbol, "dim"), Text(line.text, "dim")
         )
     out.print(rows)
+    shown = {line.group for line in measures}
     for group, note in NOTES.items():
+        if group not in shown:
+            continue
         out.print(Text(f"\n{group}: {note}", "dim"))
 
     out.print(Text("\nCounts", "bold"))

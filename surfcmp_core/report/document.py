@@ -3,7 +3,7 @@
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ import numpy as np
 import surfcmp_core
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.grid import Grid
+from surfcmp_core.measures import Measures
 from surfcmp_core.surface import Surface
 
 Document = dict[str, Any]
@@ -87,11 +88,20 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
             },
             "transform": comparison.transform.tolist(),
             "counts": comparison.counts,
-            "measures": asdict(comparison.measures),
+            "measures": _measures(comparison.measures),
             "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in STAGES},
             "warnings": list(comparison.warnings),
         }
     )
+    return document
+
+
+def _measures(measures: Measures) -> Document:
+    """Every measure by its key; the exact reading's under "exact", where there is one."""
+    document = asdict(replace(measures, exact=None))
+    del document["exact"]
+    if measures.exact is not None:
+        document["exact"] = _measures(measures.exact)
     return document
 
 

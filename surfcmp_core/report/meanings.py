@@ -1,6 +1,6 @@
 """What each measure is called, in what unit it stands, and what it means in one line."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 SUMS = "Sums of the paper"
@@ -46,6 +46,8 @@ MEANINGS = (
 NOTES = {
     SUMS: "They fall when a scan is thinned, whatever the surfaces do: only the means above can"
     " be compared between pairs.",
+    "Difference, exact": "Integrated over the overlay of T1 and T2; the values above are nodal,"
+    " with d linear on each triangle of T.",
 }
 """What has to be said beside a group."""
 
@@ -76,4 +78,10 @@ def lines(measures: dict[str, Any], unit: str) -> list[Line]:
             ]
         else:
             result.append(Line(meaning.group, meaning.key, value, meaning.power, meaning.text))
+    if "exact" in measures:
+        result += [
+            replace(line, group=f"{line.group}, exact")
+            for line in lines(measures["exact"], unit)
+            if line.group not in (SUMS, "Hausdorff")
+        ]
     return result

@@ -14,6 +14,7 @@ import pytest
 import surfcmp_core
 from app import __main__ as program
 from app.__main__ import main
+from surfcmp_core.samples import sample_pair
 
 PROJECT = Path(__file__).parents[2]
 
@@ -67,7 +68,7 @@ def test_the_command_line_and_python_give_the_same(
     told = json.loads(capsys.readouterr().out)["measures"]
     first, second = (surfcmp_core.read_surface(path) for path in pair)
     result = surfcmp_core.compare(first, second, domain="hull")
-    assert told == asdict(result.measures)
+    assert {**told, "exact": None} == asdict(result.measures)
 
 
 def test_quiet_prints_nothing(pair: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
@@ -502,3 +503,13 @@ def test_importing_the_package_imports_little() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=PROJECT
     )
     assert done.stdout == "[]\n"
+
+
+def test_exact_stands_beside_the_nodal_reading(capsysbinary: pytest.CaptureFixture[bytes]) -> None:
+    first, second = sample_pair("face")
+    assert main(["compare", str(first), str(second), "--exact", "--json"]) == 0
+    measures = json.loads(capsysbinary.readouterr().out)["measures"]
+    assert list(measures["exact"]) == [key for key in measures if key != "exact"]
+    # the nodal reading is the larger one where differences are noise
+    assert 0.9 < measures["exact"]["mean_abs"] / measures["mean_abs"] < 1.0
+    assert measures["exact"]["area_compared"] > measures["area_compared"]

@@ -50,7 +50,8 @@ def test_json_has_the_keys_of_schema_1_in_order() -> None:
         "triangles",
         "dropped",
     ]
-    assert list(document["measures"]) == [field.name for field in fields(Measures)]
+    keys = [field.name for field in fields(Measures) if field.name != "exact"]
+    assert list(document["measures"]) == keys
     assert list(document["counts"]) == [
         "nodes_1",
         "nodes_2",
