@@ -56,6 +56,12 @@ def _slow_delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
     return np.array([triangle.vertices for triangle in builder.triangles], np.int32)
 
 
+def _counter_clockwise(nodes: NDArray[np.float64], model: NDArray[np.int32]) -> NDArray[np.int32]:
+    """Turn a model round as a whole where its first triangle looks the other way."""
+    a, b, c = nodes[model[0]]
+    return model[:, ::-1] if orientation(*a, *b, *c) < 0.0 else model
+
+
 def _checked(nodes: NDArray[np.float64], triangles: NDArray[np.int32]) -> Triangulation | None:
     if len(triangles) == 0:
         return None
@@ -102,7 +108,7 @@ def triangulate(
     Stage 1 of the paper's section 3.2.
     """
     if model is not None and len(model) >= len(nodes) - 2:
-        found = _checked(nodes, model)
+        found = _checked(nodes, _counter_clockwise(nodes, model))
         if found is not None:
             return found
     if is_flat(nodes):
