@@ -59,7 +59,8 @@ def _slow_delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
 def _counter_clockwise(nodes: NDArray[np.float64], model: NDArray[np.int32]) -> NDArray[np.int32]:
     """Turn a model round as a whole where its first triangle looks the other way."""
     a, b, c = nodes[model[0]]
-    return model[:, ::-1] if orientation(*a, *b, *c) < 0.0 else model
+    clockwise = orientation(*a, *b, *c) < 0.0
+    return np.ascontiguousarray(model[:, ::-1]) if clockwise else model
 
 
 def _checked(nodes: NDArray[np.float64], triangles: NDArray[np.int32]) -> Triangulation | None:
