@@ -60,6 +60,11 @@ def test_the_last_of_many_decides():
     assert not _refused(points)
 
 
+def test_noise_below_the_least_float_is_no_bend():
+    times = [-274877906936.0, 0, -0.1875]
+    assert _refused(np.outer(times, [8135.0, 5610.0, 7747.0]) * 2.0**-564)
+
+
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_too_few(count: int):
     with pytest.raises(InputError, match=f"it holds {count} nodes; three or more are needed"):
