@@ -39,11 +39,11 @@ def write_npz(comparison: Comparison, _document: Document, stream: BinaryIO) -> 
         mean_signed=comparison.mean_signed.astype(np.float64, copy=False),
         tree1=united.tree1.astype(np.int32, copy=False),
         tree2=united.tree2.astype(np.int32, copy=False),
-        **_exact_columns(comparison),
+        **exact_columns(comparison),
     )
 
 
-def _exact_columns(comparison: Comparison) -> dict[str, Any]:
+def exact_columns(comparison: Comparison) -> dict[str, Any]:
     """Give the values of each triangle by the exact reading, where that was asked for."""
     if comparison.mean_abs_exact is None or comparison.mean_signed_exact is None:
         return {}
@@ -69,7 +69,7 @@ def write_csv(comparison: Comparison, _document: Document, stream: BinaryIO) -> 
             "area": comparison.area,
             "mean_abs": comparison.mean_abs,
             "mean_signed": comparison.mean_signed,
-            **_exact_columns(comparison),
+            **exact_columns(comparison),
             "origin": united.origin,
             "chain": united.chain,
             "compared": comparison.compared.astype(np.uint8),

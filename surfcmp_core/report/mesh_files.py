@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison
+from surfcmp_core.report.data_files import exact_columns
 from surfcmp_core.report.document import Document
 
 Columns = dict[str, NDArray[Any]]
@@ -32,6 +33,7 @@ def triangle_columns(comparison: Comparison) -> Columns:
         "area": comparison.area,
         "mean_abs": comparison.mean_abs,
         "mean_signed": comparison.mean_signed,
+        **exact_columns(comparison),
         "origin": comparison.united.origin,
         "chain": comparison.united.chain,
         "compared": comparison.compared.astype(np.uint8),

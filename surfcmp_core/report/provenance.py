@@ -100,6 +100,8 @@ def _plain(value: Any) -> str:
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:.6g}"
+    if isinstance(value, dict):  # how it was aligned; its matrix stands as the transform
+        return ", ".join(f"{name}: {_plain(v)}" for name, v in value.items() if name != "matrix")
     if isinstance(value, list):
         return ", ".join(_plain(one) for one in value)
     return str(value)

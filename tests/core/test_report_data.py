@@ -229,3 +229,16 @@ def test_vtp_is_read_by_vtk(tmp_path: Path) -> None:
     assert np.array_equal(array(triangles, "mean_abs"), comparison.mean_abs, equal_nan=True)
     assert np.array_equal(array(triangles, "chain"), comparison.united.chain)
     assert np.array_equal(array(triangles, "compared"), comparison.compared)
+
+
+def test_exact_values_stand_beside_the_nodal_ones_where_there_are_any() -> None:
+    comparison = two_squares()
+    exact = np.array([0.25, 0.5, 0.75, np.nan])
+    comparison = replace(comparison, mean_abs_exact=exact, mean_signed_exact=-exact)
+    arrays = np.load(BytesIO(written(".npz", comparison)))
+    assert np.array_equal(arrays["mean_abs_exact"], exact, equal_nan=True)
+    assert np.array_equal(arrays["mean_signed_exact"], -exact, equal_nan=True)
+    row = next(csv.DictReader(StringIO(written(".csv", comparison).decode())))
+    assert (row["mean_abs_exact"], row["mean_signed_exact"]) == ("0.25", "-0.25")
+    for ending in (".vtp", ".ply"):
+        assert b"mean_signed_exact" in written(ending, comparison)

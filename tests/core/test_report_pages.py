@@ -182,3 +182,40 @@ def test_a_motion_is_shown_in_full() -> None:
     moved = np.eye(4)
     moved[0, 3] = 12.5
     assert "12.5" in transform_text(make_document(replace(comparison, transform=moved)))
+
+
+def test_paper_takes_as_many_sheets_as_it_needs() -> None:
+    comparison = two_squares()
+    exact = replace(comparison.measures, exact=comparison.measures)
+    warnings = tuple(f"this is warning number {n}" for n in range(60))
+    comparison = replace(comparison, measures=exact, warnings=warnings)
+    assert written(".pdf", comparison).count(b"/Type /Page ") == 5
+
+
+def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else() -> None:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    from surfcmp_core.report.paper import Paper
+    from surfcmp_core.report.pictures import _histogram, _measures, _origin
+
+    comparison = two_squares()
+    exact = replace(comparison.measures, exact=comparison.measures)
+    comparison = replace(comparison, measures=exact)
+    document = make_document(comparison, {"align": {"method": "icp", "matrix": [[1.0]]}})
+    paper = Paper()
+    _measures(paper, document)
+    _histogram(paper, comparison, document)
+    paper.turn()
+    _origin(paper, document)
+    for page in paper.pages:
+        FigureCanvasAgg(page)
+        boxes = [text.get_window_extent() for text in page.texts]
+        boxes += [box for axes in page.axes if (box := axes.get_tightbbox())]
+        for number, box in enumerate(boxes):
+            assert box.x0 > 0.5 * page.dpi
+            assert box.x1 < page.bbox.x1 - 0.5 * page.dpi
+            assert box.y0 > 0.7 * page.dpi
+            for other in boxes[:number]:
+                x = min(box.x1, other.x1) - max(box.x0, other.x0)
+                y = min(box.y1, other.y1) - max(box.y0, other.y0)
+                assert min(x, y) < 1.0, "two things overlap"
