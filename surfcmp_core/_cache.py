@@ -35,3 +35,23 @@ def _temporary_folder() -> str:
     folder = tempfile.mkdtemp(prefix="surfcmp-kernels-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
+
+
+def is_compiled(function: object) -> bool:
+    """Tell whether some run before this one has left the compiled kernel in the cache.
+
+    Parameters
+    ----------
+    function
+        A kernel.
+
+    Returns
+    -------
+    bool
+        True also where kernels are not compiled at all.
+    """
+    folder = getattr(getattr(function, "_cache", None), "cache_path", None)
+    if folder is None:
+        return True
+    name = f"{function.__module__.rpartition('.')[2]}.{getattr(function, '__name__', '')}"
+    return any(Path(folder).glob(f"{name}-*.nbi"))

@@ -14,6 +14,7 @@ from surfcmp_core.domain.compared import Reason, reasons
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale, shared_nodes
+from surfcmp_core.interface import kernels_are_ready
 from surfcmp_core.interpolation import interpolate
 from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import (
@@ -63,6 +64,13 @@ class _Clock:
         self.end()
         self._progress("done", 1.0)
         return {**self.seconds, "total": sum(self.seconds.values())}
+
+
+def _explained(progress: Progress) -> Progress:
+    """Say so where the first use of the program compiles its kernels, which takes its time."""
+    if kernels_are_ready():
+        return progress
+    return lambda stage, share: progress(f"{stage} (compiling, on first use only)", share)
 
 
 def _both[A, B](work: Callable[[A], B], first: A, second: A, threads: int) -> tuple[B, B]:
@@ -228,6 +236,7 @@ def compare(
     ----------
     Stages 1 to 6 of the paper's section 3.2; formulas (1) to (3).
     """
+    progress = _explained(progress)
     clock = _Clock(progress, read_seconds)
     view = np.eye(4) if frame is None else np.asarray(frame, np.float64)
     motion = view if align is None else view @ np.asarray(align, np.float64)

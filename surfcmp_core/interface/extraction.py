@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core._cache import is_compiled
 from surfcmp_core.interface.chain import N_BRIDGES, N_TRIANGLES, trace_chain
 from surfcmp_core.interface.events import N_EVENTS, Event, Events, note
 from surfcmp_core.interface.first_starter import first_starter
@@ -113,6 +114,11 @@ def _extract(
         closed[chain] = is_closed
         counters[N_CHAINS] = chain + 1
     return False
+
+
+def kernels_are_ready() -> bool:
+    """Tell whether the kernels, of which these are the slowest to compile, are in the cache."""
+    return is_compiled(_extract)
 
 
 def extract_chains(
