@@ -9,26 +9,53 @@ _BITS = 29
 """Bits an axis; with 16 a small dense cluster falls into one cell and loses all order."""
 
 
+_STEPS = (_BITS + 1) // 2
+"""Two bits of either axis are looked up at once."""
+
+
+def _table() -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Tabulate two levels of the curve for each of its four ways through a square.
+
+    Returns
+    -------
+    digits, onward : (64,) uint8
+        At 16 way + 4 (two bits of x) + (two bits of y): four bits of the key, and the way through
+        the small square. Bit 0 of a way exchanges x and y, bit 1 turns both round.
+    """
+    digits = np.empty(64, np.uint8)
+    onward = np.empty(64, np.uint8)
+    for place in range(64):
+        way, digit = place >> 4, 0
+        for level in (1, 0):
+            right, upper = (place >> (2 + level)) & 1, (place >> level) & 1
+            if way & 2:
+                right, upper = 1 - right, 1 - upper
+            if way & 1:
+                right, upper = upper, right
+            digit = 4 * digit + ((3 * right) ^ upper)
+            if not upper:  # turn the square so that the curve goes on without a jump
+                way ^= 3 if right else 1
+        digits[place] = digit
+        onward[place] = way
+    return digits, onward
+
+
+_DIGITS, _ONWARD = _table()
+
+
 @kernel
 def _hilbert_keys(
     nodes: NDArray[np.float64], x0: float, y0: float, per_cell: float, keys: NDArray[np.uint64]
 ) -> None:
-    top = 1 << (_BITS - 1)
     for i in range(nodes.shape[0]):
         x = int((nodes[i, 0] - x0) * per_cell)
         y = int((nodes[i, 1] - y0) * per_cell)
         key = 0
-        side = top
-        while side > 0:
-            right = 1 if x & side else 0
-            upper = 1 if y & side else 0
-            key = (key << 2) | ((3 * right) ^ upper)
-            if upper == 0:  # turn the quadrant so that the curve goes on without a jump
-                if right == 1:
-                    x = ~x
-                    y = ~y
-                x, y = y, x
-            side >>= 1
+        way = 0
+        for shift in range(2 * _STEPS - 2, -1, -2):
+            place = 16 * way + 4 * ((x >> shift) & 3) + ((y >> shift) & 3)
+            key = (key << 4) | _DIGITS[place]
+            way = _ONWARD[place]
         keys[i] = key
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.curve import curve_keys
+from surfcmp_core.kernel import kernel
 from surfcmp_core.surface import Surface
 
 Duplicates = Literal["refuse", "mean", "max", "min"]
@@ -21,8 +22,7 @@ class Grid:
     Attributes
     ----------
     nodes : (n, 2) float64
-        x, y, bit for bit the input's (but -0.0 becomes 0.0); no two rows equal; along a Hilbert
-        curve.
+        x, y, bit for bit the input's; no two rows equal; along a Hilbert curve.
     z : (n,) float64
         The surface's value F at each node.
     source : (n,) int64
@@ -46,24 +46,44 @@ class Grid:
     name: str
 
 
-def _groups(
-    nodes: NDArray[np.float64], keys: NDArray[np.uint64], order: NDArray[np.int64]
-) -> NDArray[np.int64]:
-    """Find where runs of equal nodes start in `order`, once that is lexicographic within a key."""
-    sorted_keys = keys[order]
-    tie = np.zeros(len(order), bool)
-    same_key = sorted_keys[1:] == sorted_keys[:-1]
-    tie[1:] |= same_key
-    tie[:-1] |= same_key
-    if tie.any():
-        rows = np.flatnonzero(tie)
-        members = order[rows]
-        order[rows] = members[
-            np.lexsort((members, nodes[members, 1], nodes[members, 0], keys[members]))
-        ]
-    placed = nodes[order]
-    differs = (placed[1:] != placed[:-1]).any(axis=1)
-    return np.concatenate(([0], np.flatnonzero(differs) + 1))
+@kernel
+def _runs(
+    nodes: NDArray[np.float64],
+    keys: NDArray[np.uint64],
+    order: NDArray[np.int64],
+    starts: NDArray[np.int64],
+) -> int:
+    """Make `order`, sorted by key, lexicographic within a key; find where equal nodes start.
+
+    Within a key, the order of equal nodes stays.
+    """
+    count = 0
+    begin = 0
+    while begin < order.size:
+        end = begin + 1
+        while end < order.size and keys[order[end]] == keys[order[begin]]:
+            end += 1
+        for i in range(begin + 1, end):
+            moving = order[i]
+            x, y = nodes[moving, 0], nodes[moving, 1]
+            j = i
+            while j > begin and (
+                nodes[order[j - 1], 0] > x
+                or (nodes[order[j - 1], 0] == x and nodes[order[j - 1], 1] > y)
+            ):
+                order[j] = order[j - 1]
+                j -= 1
+            order[j] = moving
+        for i in range(begin, end):
+            if (
+                i == begin
+                or nodes[order[i], 0] != nodes[order[i - 1], 0]
+                or nodes[order[i], 1] != nodes[order[i - 1], 1]
+            ):
+                starts[count] = i
+                count += 1
+        begin = end
+    return count
 
 
 def _merged_values(
@@ -113,7 +133,7 @@ def grid_of(
     InputError
         Fewer than three distinct nodes; different values at one place under "refuse".
     """
-    nodes = np.ascontiguousarray(surface.points[:, :2]) + 0.0
+    nodes = np.ascontiguousarray(surface.points[:, :2])
     z = surface.points[:, 2]
     if len(nodes) < 3:
         raise InputError(f"{surface.name}: {len(nodes)} nodes; at least 3 are needed")
@@ -121,7 +141,8 @@ def grid_of(
         box = box_of(surface)
     keys = curve_keys(nodes, box)
     order = np.argsort(keys, kind="stable")
-    starts = _groups(nodes, keys, order)
+    starts = np.empty(len(order), np.int64)
+    starts = starts[: _runs(nodes, keys, order, starts)]
     source = order[starts]
     if len(starts) < 3:
         raise InputError(f"{surface.name}: {len(starts)} distinct nodes; at least 3 are needed")
@@ -139,6 +160,7 @@ def grid_of(
 
 def box_of(*surfaces: Surface) -> tuple[float, float, float, float]:
     """Smallest x and y, largest x and y of all nodes."""
-    low = np.min([s.points[:, :2].min(axis=0) for s in surfaces], axis=0)
-    high = np.max([s.points[:, :2].max(axis=0) for s in surfaces], axis=0)
-    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+    columns = [[surface.points[:, axis] for surface in surfaces] for axis in (0, 1)]
+    low = [min(float(column.min()) for column in axis) for axis in columns]
+    high = [max(float(column.max()) for column in axis) for axis in columns]
+    return low[0], low[1], high[0], high[1]
