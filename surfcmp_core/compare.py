@@ -92,9 +92,12 @@ def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
 
 def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
     return tuple(
-        f"{surface.name}: the file states no unit; mm is assumed"
+        f"{surface.name}: {note}"
         for surface in (first, second)
-        if surface.unit is None
+        for note in (
+            *(f"{count} {what}" for what, count in surface.changed.items()),
+            *(["the file states no unit; mm is assumed"] if surface.unit is None else []),
+        )
     )
 
 

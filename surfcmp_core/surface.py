@@ -27,6 +27,9 @@ class Surface:
         Length unit of the coordinates as the file states it; None where it does not say.
     dropped : dict of str to int
         Nodes left out so far, counted by reason.
+    changed : dict of str to int
+        What reading did to the model besides (polygons split, faces left out, nodes converted to
+        another unit), counted.
     """
 
     points: NDArray[np.float64]
@@ -36,6 +39,7 @@ class Surface:
     sha256: str = ""
     unit: str | None = None
     dropped: dict[str, int] = field(default_factory=dict)
+    changed: dict[str, int] = field(default_factory=dict)
 
     @property
     def kind(self) -> str:

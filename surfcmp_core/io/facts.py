@@ -23,6 +23,7 @@ class Facts:
     unit: str | None
     sha256: str
     dropped: dict[str, int]
+    changed: dict[str, int]
     repeated: int
     """Nodes equal in x, y and z to an earlier one."""
     contradicting: int
@@ -60,6 +61,7 @@ def facts_of(surface: Surface) -> Facts:
         unit=surface.unit,
         sha256=surface.sha256,
         dropped=dict(surface.dropped),
+        changed=dict(surface.changed),
         repeated=repeated,
         contradicting=contradicting,
         folded=_folded(surface),

@@ -18,4 +18,5 @@ class Raw:
     """Lines of comment, which may state the unit to convert from."""
     unit: str | None = None
     """Unit to tell and to leave the coordinates in."""
-    dropped: dict[str, int] = field(default_factory=dict)
+    changed: dict[str, int] = field(default_factory=dict)
+    """What was left out or split besides, counted."""

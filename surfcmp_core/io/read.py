@@ -59,7 +59,7 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
     Returns
     -------
     Surface
-        With `dropped` counting the faces left out or split, and the nodes converted, by reason.
+        With `changed` counting the faces left out or split, and the nodes converted.
 
     Raises
     ------
@@ -86,9 +86,9 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         told = " ".join(str(error).split())[:120]
         raise InputError(f"{path}: damaged or not a {path.suffix} file ({told})") from error
 
-    dropped = {**raw.dropped, **changed}
+    changed = {**raw.changed, **changed}
     if converted and converted != "mm":
-        dropped[f"nodes converted from {converted} to mm"] = len(points)
+        changed[f"nodes converted from {converted} to mm"] = len(points)
     return Surface(
         points,
         faces,
@@ -96,7 +96,7 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         path=path,
         sha256=hashlib.sha256(data).hexdigest(),
         unit="mm" if converted else stated,
-        dropped=dropped,
+        changed=changed,
     )
 
 

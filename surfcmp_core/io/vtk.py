@@ -51,7 +51,7 @@ def read_vtk(data: bytes) -> Raw:
                 file.skip_arrays(_count(count))
             case _:
                 raise InputError(f"not understood: {quoted(' '.join(words))}")
-    dropped: dict[str, int] = {}
+    changed: dict[str, int] = {}
     if cells:
         corners, starts, ends = cells
         if len(types) != len(starts):
@@ -66,10 +66,10 @@ def read_vtk(data: bytes) -> Raw:
             elif kind == _PIXEL:
                 polygons += [group[:, (0, 1, 3, 2)] for group in found]
             elif kind not in _POINT_CELLS:
-                dropped["cells that are not flat polygons"] = dropped.get(
+                changed["cells that are not flat polygons"] = changed.get(
                     "cells that are not flat polygons", 0
                 ) + int(chosen.sum())
-    return Raw(points, polygons, (head[1],), dropped=dropped)
+    return Raw(points, polygons, (head[1],), changed=changed)
 
 
 def _count(word: str) -> int:

@@ -16,11 +16,18 @@ SQUARE = files.SQUARE
 
 
 def test_a_plain_mesh():
-    surface = Surface(SQUARE, files.TWO, name="a.ply", sha256="ab", unit="mm", dropped={"x": 1})
+    surface = Surface(
+        SQUARE, files.TWO, name="a.ply", sha256="ab", unit="mm", dropped={"x": 1}, changed={"y": 2}
+    )
     facts = facts_of(surface)
     assert (facts.name, facts.kind, facts.nodes, facts.triangles) == ("a.ply", "mesh", 4, 2)
     assert (facts.low, facts.high) == ((0, 0, -1), (1, 1, 0.5))
-    assert (facts.unit, facts.sha256, facts.dropped) == ("mm", "ab", {"x": 1})
+    assert (facts.unit, facts.sha256, facts.dropped, facts.changed) == (
+        "mm",
+        "ab",
+        {"x": 1},
+        {"y": 2},
+    )
     assert (facts.repeated, facts.contradicting, facts.folded) == (0, 0, 0)
     assert facts.one_valued
 

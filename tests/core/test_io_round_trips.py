@@ -68,7 +68,7 @@ def test_mesh_keeps_every_bit(form: str, points: NDArray[np.float64]):
     assert surface.faces is not None
     assert surface.faces.dtype == np.int32
     assert surface.faces.tolist() == files.TWO.tolist()
-    assert (surface.kind, surface.unit, surface.dropped) == ("mesh", None, {})
+    assert (surface.kind, surface.unit, surface.changed) == ("mesh", None, {})
 
 
 @pytest.mark.parametrize("form", CLOUDS)
@@ -159,7 +159,7 @@ def test_polygons_are_fanned_and_counted():
     assert surface.faces is not None
     assert sorted(surface.faces.tolist()) == [[0, 1, 2], [0, 1, 2], [0, 2, 3]]
     assert len(surface.points) == 5  # the node of no face stays
-    assert surface.dropped == {
+    assert surface.changed == {
         "polygons split into triangles": 1,
         "faces that name a node twice": 1,
         "faces with fewer than three corners": 1,
@@ -192,7 +192,7 @@ def test_binary_ply_of_triangles_and_quadrilaterals_with_other_properties(order:
 def test_a_mesh_left_without_triangles_is_a_cloud():
     surface = _read("scan.ply", files.ply_text(files.SQUARE, np.array([[0, 0, 1]], np.int32)))
     assert surface.kind == "cloud"
-    assert surface.dropped == {"faces that name a node twice": 1}
+    assert surface.changed == {"faces that name a node twice": 1}
 
 
 def test_huge_extents_are_not_taken_for_a_line():

@@ -76,7 +76,7 @@ def _write(path: Path, content: bytes) -> Path:
 def test_a_stated_unit_is_converted(ending: str, write: Callable[[], bytes], tmp_path: Path):
     surface = read_surface(_write(tmp_path / f"scan.{ending}", write()))
     assert surface.unit == "mm"
-    assert surface.dropped == {"nodes converted from cm to mm": 4}
+    assert surface.changed == {"nodes converted from cm to mm": 4}
     assert sorted(surface.points.tolist()) == sorted((10 * SQUARE).tolist())
 
 
@@ -84,7 +84,7 @@ def test_millimetres_stated_are_left_alone(tmp_path: Path):
     content = files.ply_text(SQUARE + 0.1, comment="unit mm")
     surface = read_surface(_write(tmp_path / "scan.ply", content))
     assert surface.unit == "mm"
-    assert surface.dropped == {}
+    assert surface.changed == {}
     assert np.array_equal(surface.points, SQUARE + 0.1)
 
 

@@ -59,7 +59,7 @@ def _check(path: Path, strip: bool) -> None:
     expected = [[0, 1, 3], [3, 1, 2], [3, 2, 5]] if strip else [[0, 1, 2], [0, 2, 3], [1, 4, 2]]
     rolled = sorted(np.roll(face, -int(face.argmin())).tolist() for face in surface.faces)
     assert rolled == sorted(np.roll(face, -int(np.argmin(face))).tolist() for face in expected)
-    assert surface.dropped == ({} if strip else {"polygons split into triangles": 1})
+    assert surface.changed == ({} if strip else {"polygons split into triangles": 1})
 
 
 @pytest.mark.parametrize("strip", [False, True])
@@ -119,7 +119,7 @@ def test_solid_cells_are_counted_and_pixels_are_turned(binary: bool, tmp_path: P
     surface = read_surface(tmp_path / "scan.vtk")
     assert surface.faces is not None
     assert surface.faces.tolist() == [[0, 1, 2], [0, 2, 3]]
-    assert surface.dropped["cells that are not flat polygons"] == 1
+    assert surface.changed["cells that are not flat polygons"] == 1
 
 
 def test_image_is_refused(tmp_path: Path):
