@@ -145,7 +145,7 @@ def style_sheet(c: Theme) -> str:
         border-bottom: 2px solid {c.accent}; }}
     QTabBar::tab:hover {{ color: {c.text}; }}
     QHeaderView::section {{ background: {c.panel}; color: {c.quiet}; border: none;
-        border-bottom: 1px solid {c.line}; padding: 6px 4px; }}
+        border-bottom: 1px solid {c.line}; padding: 6px 4px; font-weight: 400; }}
     QTableView, QTreeView, QListView {{ background: {c.panel}; border: none;
         gridline-color: {c.line}; alternate-background-color: {c.raised};
         selection-background-color: {c.hover}; selection-color: {c.text}; outline: none; }}

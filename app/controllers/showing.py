@@ -10,9 +10,10 @@ from app.model.view_state import Heatmap, ViewState
 from app.numbers import thousands
 from app.panels.toolbar import HEATMAPS
 from app.scene.chain_table import chain_box
+from app.scene.content import Content
+from app.scene.distribution import fitting_limit
 from app.scene.furniture import colour_bar, legend
 from app.scene.pick import reading_at
-from app.scene.scale import fitting_limit
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import unit_of
 
@@ -79,22 +80,23 @@ class Showing(QObject):
         comparison = content.comparison
         state = window.display.state
         if not state.scale.pinned:
-            limit = fitting_limit(comparison.mean_signed, comparison.area)
+            limit = fitting_limit(content.distributions.absolute)
             window.display.change(scale=replace(state.scale, limit=limit))
         if window.pages.currentWidget() is not window.grid:
             window.pages.setCurrentWidget(window.grid)
             window.grid.setFocus()
         window.measures.show_measures(comparison.measures, self.unit)
         window.chains.show_chains(content.chains, self.unit)
-        window.status.setText(self._summary(comparison))
+        window.status.setText(self._summary(content))
         window.display.set_content(content)
         names = " – ".join(path.name for path in result.document.paths if path)
         window.setWindowTitle(f"{names} – surfcmp")
         if comparison.warnings:
             window.banner.tell("\n".join(comparison.warnings), "note")
 
-    def _summary(self, comparison: Comparison) -> str:
-        counts, measures = comparison.counts, comparison.measures
+    def _summary(self, content: Content) -> str:
+        comparison, counts = content.comparison, content.counts
+        measures = comparison.measures
         parts = [
             self.tr("{} + {} nodes").format(
                 thousands(counts["nodes_1"]), thousands(counts["nodes_2"])
@@ -125,8 +127,7 @@ class Showing(QObject):
         window.scale.show_state(window.display.content, state, self.unit)
         if window.display.content is None:
             return
-        comparison = window.display.content.comparison
-        counts = comparison.counts
+        comparison, counts = window.display.content.comparison, window.display.content.counts
         names = [surface.name for surface in comparison.surfaces]
         heatmap = self.tr(HEATMAPS[state.heatmap])
         texts = [
@@ -145,7 +146,7 @@ class Showing(QObject):
                 bar if view == 3 else None,
                 self.unit,
                 self.tr("no data"),
-                legend(comparison, state, view),
+                legend(counts, state, view),
             )
         self._measure_views()
         self._show_probes(comparison, state)
@@ -189,8 +190,7 @@ class Showing(QObject):
     def _fit(self) -> None:
         display = self._window.display
         if display.content is not None:
-            comparison = display.content.comparison
-            limit = fitting_limit(comparison.mean_signed, comparison.area)
+            limit = fitting_limit(display.content.distributions.absolute)
             display.change(scale=replace(display.state.scale, limit=limit, pinned=True))
 
     def _open_missing(self) -> None:

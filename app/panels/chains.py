@@ -70,9 +70,9 @@ class ChainModel(QAbstractTableModel):
             self.tr("Chain"),
             self.tr("Kind"),
             self.tr("Triangles"),
-            self.tr("Area, {}").format(with_unit(1.0, 2, self._unit)[1]),
-            self.tr("Mean |d|, {}").format(self._unit),
-            self.tr("Share, %"),
+            self.tr("Area"),
+            self.tr("Mean |d|"),
+            self.tr("Share %"),
         ]
 
     def _tips(self) -> list[str]:
@@ -164,15 +164,14 @@ class ChainsPanel(Panel):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(3 * UNIT)
         header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-        header.setResizeContentsPrecision(50)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         header.setDefaultAlignment(RIGHT)
         header.setSortIndicator(2, Qt.SortOrder.DescendingOrder)
         self.table.setSortingEnabled(True)
         self.table.selectionModel().currentRowChanged.connect(self._row_changed)
         self.table.clicked.connect(self._row_changed)
-        self.summary = quiet_label(self.tr("Click a chain to fly there; Esc shows all again"))
+        self.summary = quiet_label()
+        self.summary.setWordWrap(True)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT, UNIT // 2, UNIT, UNIT)
         column.setSpacing(UNIT)
@@ -182,6 +181,9 @@ class ChainsPanel(Panel):
     def show_chains(self, table: ChainTable, unit: str) -> None:
         """Show the chains of a comparison."""
         self.model.set_table(table, unit)
+        areas = with_unit(1.0, 2, unit)[1]
+        text = self.tr("Areas in {}, means in {}. Click a chain to fly there; Esc shows all again.")
+        self.summary.setText(text.format(areas, unit))
         header = self.table.horizontalHeader()
         self.model.sort(header.sortIndicatorSection(), header.sortIndicatorOrder())
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from typing import TYPE_CHECKING
+from dataclasses import asdict, replace
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QGuiApplication
@@ -57,6 +57,13 @@ class Card(QFrame):
         self.setToolTip(tip)
 
 
+def _values(measures: Measures) -> dict[str, Any]:
+    """Return the measures under their keys; those of the exact reading in a dictionary apart."""
+    values = asdict(replace(measures, exact=None))
+    del values["exact"]
+    return values if measures.exact is None else {**values, "exact": _values(measures.exact)}
+
+
 class MeasuresPanel(Panel):
     """Every measure with its unit; what it means stands in the tooltip."""
 
@@ -101,7 +108,7 @@ class MeasuresPanel(Panel):
         from surfcmp_core.report.meanings import NOTES, lines
 
         self._unit, self._notes = unit, NOTES
-        self._lines = lines(asdict(measures), unit)
+        self._lines = lines(_values(measures), unit)
         self.copy.setEnabled(True)
         self._fill_cards()
         self._fill_tree()
@@ -145,7 +152,7 @@ class MeasuresPanel(Panel):
         QGuiApplication.clipboard().setText(self.table())
 
     def _fill_cards(self) -> None:
-        by_name = {line.name: line for line in self._lines}
+        by_name = {line.name: line for line in reversed(self._lines)}  # the nodal ones come first
         within = [line for line in self._lines if line.group == "Within tolerance"]
         chosen = [by_name["mean_abs"], by_name["p95"], *within[len(within) // 2 :][:1]]
         for card, line in zip(self.cards, chosen, strict=False):

@@ -21,6 +21,7 @@ class Content:
     geometry: Geometry
     distributions: Distributions
     chains: ChainTable
+    counts: dict[str, int]
 
 
 def content_of(comparison: Comparison) -> Content:
@@ -30,4 +31,5 @@ def content_of(comparison: Comparison) -> Content:
         geometry_of(comparison),
         distributions_of(comparison),
         chain_table(comparison),
+        comparison.counts,
     )

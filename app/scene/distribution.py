@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.scale import round_up
+
 if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
 
@@ -39,6 +41,13 @@ class Distribution:
         """
         return np.diff(self.below(edges))
 
+    def quantile(self, share: float) -> float:
+        """Return the least value with at least `share` of the area up to it; NaN without area."""
+        if not self.values.size:
+            return float("nan")
+        place = int(np.searchsorted(self.shares[1:], share))
+        return float(self.values[min(place, len(self.values) - 1)])
+
     def within(self, low: float, high: float) -> float:
         """Return the share of the area with values in [low, high]."""
         first = np.searchsorted(self.values, low, side="left")
@@ -60,6 +69,11 @@ class Distributions:
 
     signed: Distribution
     absolute: Distribution
+
+
+def fitting_limit(absolute: Distribution) -> float:
+    """Return a round limit that leaves at most a hundredth of the area beyond it."""
+    return round_up(absolute.quantile(0.99))
 
 
 def distributions_of(comparison: Comparison) -> Distributions:

@@ -77,11 +77,10 @@ def colour_bar(comparison: Comparison, state: ViewState) -> ColourBar | None:
     return ColourBar(map_of(state.heatmap), marks, below, above, quiet.no_data)
 
 
-def legend(comparison: Comparison, state: ViewState, view: int) -> tuple[Swatch, ...]:
+def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch, ...]:
     """Return the legend of one view."""
     quiet = palette(state.dark)
     if view == 2:
-        counts = comparison.counts
         lines = [
             Swatch((quiet.surface_1,), "clouts of 1"),
             Swatch((quiet.surface_2,), "clouts of 2"),

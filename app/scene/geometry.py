@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.coarse import Coarse, coarse_of
+
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from surfcmp_core.comparison import Comparison
+    from surfcmp_core.triangulation import Triangulation
 
 
 Floats = NDArray[np.float32]
@@ -28,12 +31,18 @@ class Patch:
     triangles : (m, 3) int32
     edge : float
         Median length of an edge in the plane.
+    data : (m,) bool or None
+        Triangles where the surface has data; None for all.
+    coarse : Coarse or None
+        What is drawn in its place while the camera moves.
     """
 
     points: Floats
     normals: Floats
     triangles: Ints
     edge: float
+    data: NDArray[np.bool_] | None = None
+    coarse: Coarse | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,17 +70,42 @@ def geometry_of(comparison: Comparison) -> Geometry:
     high = np.maximum(spaces[0].max(axis=0), spaces[1].max(axis=0))
     origin = (low + high) / 2
     middle = np.column_stack([comparison.united.nodes, middle_height(comparison)])
-    t1, t2 = comparison.triangulations
+    one, two = comparison.triangulations
+    hulls = [_hull(triangulation) for triangulation in comparison.triangulations]
+    united = comparison.united
+    hull = np.concatenate([united.node_1[hulls[0]], united.node_2[hulls[1]]])
     return Geometry(
         patches=(
-            _patch(spaces[0] - origin, t1.triangles),
-            _patch(spaces[1] - origin, t2.triangles),
-            _patch(middle - origin, comparison.united.triangles),
+            _patch(spaces[0] - origin, one.triangles, hulls[0], data_of(comparison, 0)),
+            _patch(spaces[1] - origin, two.triangles, hulls[1], data_of(comparison, 1)),
+            _patch(middle - origin, united.triangles, hull, None),
         ),
         origin=origin,
         low=low - origin,
         high=high - origin,
     )
+
+
+def data_of(comparison: Comparison, which: int) -> NDArray[np.bool_] | None:
+    """Return (m,) where T1 (`which` = 0) or T2 has data, as far as its own triangles tell."""
+    grid, triangulation = comparison.grids[which], comparison.triangulations[which]
+    if grid.faces is not None:
+        from surfcmp_core.domain.footprint import HOLE, OUTSIDE, footprint_of_mesh
+
+        state = footprint_of_mesh(triangulation, grid.faces).state[: triangulation.real]
+        missing = (state == OUTSIDE) | (state == HOLE)
+    else:
+        corners = triangulation.nodes[triangulation.triangles]
+        sides = corners - np.roll(corners, -1, axis=1)
+        longest = np.hypot(sides[..., 0], sides[..., 1]).max(axis=1)
+        missing = longest > comparison.max_edges[which]
+    return ~missing if missing.any() else None
+
+
+def _hull(triangulation: Triangulation) -> Ints:
+    """Return the nodes on the convex hull: those of the ghosts."""
+    nodes = np.unique(triangulation.start[3 * triangulation.real :])
+    return np.asarray(nodes[nodes >= 0])
 
 
 def middle_height(comparison: Comparison) -> NDArray[np.float64]:
@@ -85,12 +119,19 @@ def middle_height(comparison: Comparison) -> NDArray[np.float64]:
     return np.asarray((z1 + z2) / 2)
 
 
-def _patch(points: NDArray[np.float64], triangles: Ints) -> Patch:
+def _patch(
+    points: NDArray[np.float64],
+    triangles: Ints,
+    hull: Ints,
+    data: NDArray[np.bool_] | None,
+) -> Patch:
     return Patch(
         points=points.astype(np.float32),
         normals=node_normals(points, triangles),
         triangles=np.ascontiguousarray(triangles, dtype=np.int32),
         edge=_typical_edge(points, triangles),
+        data=data,
+        coarse=coarse_of(points, triangles, hull),
     )
 
 

@@ -29,13 +29,11 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
         points[:, 2] = 0.0
     seen = camera.project(points)
     x, y = seen[:, 0] - right, seen[:, 1] - up
+    code = np.zeros(len(x), dtype=np.uint8)  # a triangle that hits has nodes on all four sides
+    for bit, side in enumerate((x <= 0, x >= 0, y <= 0, y >= 0)):
+        code |= side.view(np.uint8) << np.uint8(bit)
     a, b, c = patch.triangles.T
-    near = (np.minimum(np.minimum(x[a], x[b]), x[c]) <= 0) & (
-        np.maximum(np.maximum(x[a], x[b]), x[c]) >= 0
-    )
-    near &= np.minimum(np.minimum(y[a], y[b]), y[c]) <= 0
-    near &= np.maximum(np.maximum(y[a], y[b]), y[c]) >= 0
-    found = np.flatnonzero(near)
+    found = np.flatnonzero((code[a] | code[b] | code[c]) == 15)
     a, b, c = patch.triangles[found].T
     weights = np.stack(
         [x[b] * y[c] - x[c] * y[b], x[c] * y[a] - x[a] * y[c], x[a] * y[b] - x[b] * y[a]]

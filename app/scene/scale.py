@@ -2,9 +2,6 @@
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 
 def round_up(value: float) -> float:
     """Return the smallest of 1, 2, 5 times a power of ten that is at least `value`."""
@@ -13,17 +10,6 @@ def round_up(value: float) -> float:
     power = 10.0 ** math.floor(math.log10(value))
     step = next(k for k in (1, 2, 5, 10) if value <= k * power * (1 + 1e-9))
     return float(f"{step * power:.12g}")
-
-
-def fitting_limit(differences: NDArray[np.float64], areas: NDArray[np.float64]) -> float:
-    """Return a round limit that leaves at most a hundredth of the area beyond it."""
-    known = np.isfinite(differences) & np.isfinite(areas)
-    size, weight = np.abs(differences[known]), areas[known]
-    if not size.size or not weight.sum():
-        return 1.0
-    order = np.argsort(size)
-    share = np.cumsum(weight[order]) / weight.sum()
-    return round_up(float(size[order][min(int(np.searchsorted(share, 0.99)), len(order) - 1)]))
 
 
 def ticks(low: float, high: float, most: int = 7) -> list[float]:

@@ -71,8 +71,8 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
     """Return what the four views show."""
     quiet = palette(state.dark)
     colours: list[Colours | Rgb] = [
-        quiet.surface_1,
-        quiet.surface_2,
+        surface_colours(geometry.patches[0], quiet.surface_1, state.dark),
+        surface_colours(geometry.patches[1], quiet.surface_2, state.dark),
         united_colours(comparison, state.chain, state.dark),
         heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark),
     ]
@@ -90,6 +90,16 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
         for view, (patch, colour) in enumerate(zip(patches, colours, strict=True))
     ]
     return Scene(layers=tuple(layers), palette=quiet)
+
+
+@lru_cache(maxsize=2)
+def surface_colours(patch: Patch, colour: Rgb, dark: bool) -> Colours | Rgb:
+    """Return the colours of T1 or T2: pale where its surface has no data."""
+    if patch.data is None:
+        return colour
+    table = np.array([colour, colour], dtype=np.uint8)
+    table = faded(table, np.array([True, False]), palette(dark).background)
+    return np.asarray(table[patch.data.astype(np.intp)])
 
 
 @lru_cache(maxsize=1)

@@ -104,6 +104,7 @@ class Renderer:
                 x / width, y / height, (x + tile.width) / width, (y + tile.height) / height
             )
             view.look(camera, tile.height / density, fine)
+            view.choose(fine)
             view.thicken(density)
             corners[tile.view] = (x, y, tile)
         self._window.Render()
@@ -128,7 +129,9 @@ class _View:
         self._layer: MeshLayer | None = None
         self._mesh, self._data = _actor()
         self._lines, self._line_data = _actor()
-        for actor in (self._mesh, self._lines):
+        self._coarse, self._coarse_data = _actor()
+        self._coarse.SetProperty(self._mesh.GetProperty())
+        for actor in (self._mesh, self._coarse, self._lines):
             self.renderer.AddActor(actor)
         line = self._lines.GetProperty()
         line.SetLighting(False)
@@ -151,21 +154,26 @@ class _View:
 
     def apply(self, layer: MeshLayer | None) -> None:
         old, self._layer = self._layer, layer
-        self._mesh.SetVisibility(layer is not None)
         self._lines.SetVisibility(layer is not None and len(layer.outline) > 0)
         if layer is None:
-            self._data.Initialize()
+            for data in (self._data, self._coarse_data):
+                data.Initialize()
             return
         moved = old is None or old.patch is not layer.patch or old.relief != layer.relief
+        fresh = old is None or old.patch is not layer.patch
+        coarse = layer.patch.coarse
         if moved:
-            points = layer.patch.points
+            points, normals = layer.patch.points, layer.patch.normals
             if not layer.relief:
                 points = points * np.array([1, 1, 0], dtype=np.float32)
-            self._data.SetPoints(_points(points))
-            self._data.GetPointData().SetNormals(_to_vtk(layer.patch.normals))
-        if old is None or old.patch is not layer.patch:
+            _place(self._data, points, normals)
+            if coarse is not None:
+                _place(self._coarse_data, points[coarse.nodes], normals[coarse.nodes])
+        if fresh:
             self._data.SetPolys(_cells(layer.patch.triangles))
-        if old is None or old.colours is not layer.colours:
+            if coarse is not None:
+                self._coarse_data.SetPolys(_cells(coarse.triangles))
+        if fresh or old is None or old.colours is not layer.colours:
             self._paint(layer)
         if old is None or old.outline is not layer.outline:
             ends = np.ascontiguousarray(layer.outline.reshape(-1, 3), dtype=np.float32)
@@ -174,23 +182,26 @@ class _View:
             self._line_data.SetLines(_cells(pairs))
             self._line_data.Modified()
         self._mesh.GetProperty().SetLighting(layer.shaded)
-        self._data.Modified()
+
+    def choose(self, fine: bool) -> None:
+        layer = self._layer
+        coarse = layer is not None and layer.patch.coarse is not None and not fine
+        self._coarse.SetVisibility(coarse)
+        self._mesh.SetVisibility(layer is not None and not coarse)
 
     def _paint(self, layer: MeshLayer) -> None:
-        mapper = self._mesh.GetMapper()
-        plain = isinstance(layer.colours, tuple)
+        plain = isinstance(layer.colours, tuple) or layer.patch.data is not None
         surface = self._mesh.GetProperty()
         surface.SetAmbient(0.22 if plain else 0.46)  # flat light where a colour is to be read
         surface.SetDiffuse(0.86 if plain else 0.58)
         if isinstance(layer.colours, tuple):
-            self._data.GetCellData().SetScalars(None)
-            mapper.ScalarVisibilityOff()
             surface.SetColor(*_unit(layer.colours))
+            for actor in (self._mesh, self._coarse):
+                actor.GetMapper().ScalarVisibilityOff()
             return
-        scalars = _to_vtk(np.ascontiguousarray(layer.colours))
-        self._data.GetCellData().SetScalars(scalars)
-        mapper.SetScalarModeToUseCellData()
-        mapper.ScalarVisibilityOn()
+        _paint(self._mesh, self._data, layer.colours)
+        if layer.patch.coarse is not None:
+            _paint(self._coarse, self._coarse_data, layer.colours[layer.patch.coarse.source])
 
     def colour(self, background: Rgb, edge: Rgb, accent: Rgb) -> None:
         self.renderer.SetBackground(*_unit(background))
@@ -235,6 +246,19 @@ def _to_vtk(array: NDArray[Any]) -> Any:
 
 def _to_numpy(array: Any) -> Image:
     return np.asarray(numpy_support.vtk_to_numpy(array))  # type: ignore[no-untyped-call]
+
+
+def _place(data: vtkPolyData, points: NDArray[Any], normals: NDArray[np.float32]) -> None:
+    data.SetPoints(_points(points))
+    data.GetPointData().SetNormals(_to_vtk(normals))
+    data.Modified()
+
+
+def _paint(actor: vtkActor, data: vtkPolyData, colours: Colours) -> None:
+    data.GetCellData().SetScalars(_to_vtk(np.ascontiguousarray(colours)))
+    actor.GetMapper().SetScalarModeToUseCellData()
+    actor.GetMapper().ScalarVisibilityOn()
+    data.Modified()
 
 
 def _points(points: NDArray[np.float32]) -> vtkPoints:

@@ -7,14 +7,18 @@ import pytest
 
 from app.model.view_state import Heatmap, Scale, ViewState
 from app.scene.chain_colours import chain_colours
+from app.scene.chain_table import chain_box, chain_table
+from app.scene.coarse import coarse_of
 from app.scene.colour_maps import ABOVE, BELOW, WITHIN, banded, colour_map, continuous
+from app.scene.distribution import distribution_of, distributions_of, fitting_limit
 from app.scene.furniture import colour_bar, legend
 from app.scene.geometry import geometry_of, middle_height
 from app.scene.palette import palette
-from app.scene.scale import fitting_limit, round_down, round_up, ticks
+from app.scene.scale import round_down, round_up, ticks
 from app.scene.scene import heatmap_colours, scene_of, united_colours
 from app.scene.values import Trust, trust_of, values_of
 from surfcmp_core.comparison import Comparison
+from surfcmp_core.triangulation import triangulate
 
 STATE = ViewState()
 
@@ -175,12 +179,12 @@ def test_a_banded_bar_changes_colour_at_its_ticks(small: Comparison):
 
 
 def test_the_legend_counts_the_chains(small: Comparison):
-    texts = [swatch.text for swatch in legend(small, STATE, 2)]
+    texts = [swatch.text for swatch in legend(small.counts, STATE, 2)]
     counts = small.counts
     assert f"{counts['chains_closed']} closed chains" in texts
     assert f"{counts['chains_open']} open chains" in texts
-    assert legend(small, STATE, 3) == ()
-    assert len(legend(small, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
+    assert legend(small.counts, STATE, 3) == ()
+    assert len(legend(small.counts, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
 
 
 @pytest.mark.parametrize(
@@ -201,7 +205,62 @@ def test_ticks_are_few_and_contain_zero(limit: float):
 
 
 def test_the_fitting_limit_leaves_a_hundredth_of_the_area_beyond():
-    values = np.concatenate([np.full(99, 0.4), [50.0]])
-    assert fitting_limit(values, np.ones(100)) == 0.5
-    assert fitting_limit(np.array([np.nan]), np.array([np.nan])) == 1.0
-    assert fitting_limit(np.zeros(3), np.ones(3)) == 1.0
+    def limit(values: list[float]) -> float:
+        return fitting_limit(distribution_of(np.array(values), np.ones(len(values))))
+
+    assert limit([0.4] * 99 + [50.0]) == 0.5
+    assert limit([0.4] * 98 + [50.0] * 2) == 50.0
+    assert limit([np.nan]) == 1.0
+    assert limit([0.0] * 3) == 1.0
+
+
+def test_a_histogram_adds_up_to_the_area_within_the_range(small: Comparison):
+    signed = distributions_of(small).signed
+    edges = np.linspace(-3.0, 5.0, 33)
+    shares = signed.histogram(edges)
+    values, areas = small.mean_signed, np.nan_to_num(small.area)
+    for k in range(len(shares)):
+        inside = (values > edges[k]) & (values <= edges[k + 1])
+        assert shares[k] == pytest.approx(areas[inside].sum() / areas.sum(), abs=1e-12)
+    inside = (values >= -0.5) & (values <= 1.5)
+    assert signed.within(-0.5, 1.5) == pytest.approx(areas[inside].sum() / areas.sum())
+    assert signed.within(2.0, -2.0) == 0.0
+
+
+def test_chains_add_up_to_the_interface(small: Comparison):
+    table = chain_table(small)
+    inside = small.united.chain >= 0
+    assert table.triangles.sum() == inside.sum()
+    volume = small.mean_abs * small.area
+    assert table.area.sum() == pytest.approx(np.nansum(small.area[inside]))
+    assert table.share.sum() == pytest.approx(np.nansum(volume[inside]) / np.nansum(volume))
+    for chain in range(len(table.closed)):
+        low, high = chain_box(small, geometry_of(small), chain)
+        assert (high >= low).all()
+
+
+def test_a_cloud_is_pale_beyond_its_longest_edge(clouds):
+    from tests.window.builders import comparison_of
+
+    comparison = comparison_of(*clouds, hole=25.0)
+    geometry = geometry_of(comparison)
+    data = geometry.patches[1].data
+    assert data is not None
+    scene = scene_of(comparison, geometry, STATE)
+    colours = scene.layers[1].colours
+    assert (np.all(colours == palette(False).surface_2, axis=1) == data).all()
+
+
+def test_a_coarse_patch_keeps_the_outline_and_points_at_the_patch():
+    rng = np.random.default_rng(3)
+    points = np.column_stack([rng.uniform(0, 10, (60_000, 2)), np.zeros(60_000)])
+    points = points[np.lexsort((points[:, 1], np.floor(points[:, 0] * 20)))]
+    triangles = triangulate(np.ascontiguousarray(points[:, :2])).triangles
+    hull = np.array([points[:, 0].argmin(), points[:, 0].argmax()], dtype=np.int32)
+    coarse = coarse_of(points, triangles, hull)
+    assert coarse is not None
+    assert len(coarse.nodes) < 20_000
+    assert np.isin(hull, coarse.nodes).all()
+    nodes = triangles[coarse.source]
+    assert (nodes == coarse.nodes[coarse.triangles[:, :1]]).any(axis=1).all()
+    assert coarse_of(points[:100], triangles[:0], hull[:0]) is None
