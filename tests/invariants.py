@@ -194,6 +194,41 @@ def _check_end(triangles: list[list[int]], label: list[int], t: int) -> None:
     assert any({label[a], label[b]} == {1, 2} and (b, a) not in directed for a, b in edges)
 
 
+def check_many_chains(united: United) -> None:
+    """Check the same for large triangulations, by connected components."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    inside = np.flatnonzero(united.chain >= 0)
+    assert np.array_equal(inside, np.arange(inside[0], len(united.chain)))
+    number = united.chain[inside]
+    assert np.array_equal(np.unique(number), np.arange(len(united.chain_closed)))
+    assert (np.diff(number) >= 0).all()
+    triangles = united.triangles[inside]
+    count = len(united.nodes)
+    a, b = triangles.ravel().astype(np.int64), triangles[:, [1, 2, 0]].ravel().astype(np.int64)
+    rows = np.repeat(np.arange(len(inside)), 3)
+    chosen = (united.label[a] | united.label[b]) == 3
+    chosen &= (united.label[a] != 3) & (united.label[b] != 3)
+    a, b, rows = a[chosen], b[chosen], rows[chosen]
+    order = np.argsort(a * count + b)
+    at = np.searchsorted((a * count + b)[order], b * count + a)
+    at = order[np.minimum(at, len(order) - 1)]
+    has_twin = (a[at] == b) & (b[at] == a)
+    one, other = rows[has_twin], rows[at[has_twin]]
+    links = coo_array((np.ones(len(one), np.int8), (one, other)), shape=(len(inside),) * 2)
+    parts, part = connected_components(links, directed=False)
+    assert parts == len(united.chain_closed)
+    assert len(np.unique(part.astype(np.int64) * parts + number)) == parts
+    degree = np.bincount(one, minlength=len(inside))
+    lowest = np.full(parts, 2)
+    np.minimum.at(lowest, number, degree)
+    assert np.array_equal(united.chain_closed, lowest == 2)
+    onward = np.zeros(len(inside), bool)
+    onward[one[other == one + 1]] = True
+    assert onward[np.flatnonzero(np.diff(number) == 0)].all()
+
+
 def check_trees(merged: Merged) -> None:
     united = merged.united
     for tree, triangulation, node in (
