@@ -26,6 +26,8 @@ from surfcmp_core.united import United
 
 _BOTH = 3
 _AT_ONCE = 1 << 16
+_SLIVER = 1e-13
+"""Share of a triangle's area that may be the rounding of two edges that only touch."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -177,6 +179,7 @@ def _pass(
     largest = 0.0
     for t in range(begin, end):
         area = 0.0
+        largest_here = 0.0
         volume = 0.0
         signed_volume = 0.0
         weighted_volume = 0.0
@@ -226,7 +229,7 @@ def _pass(
                     if not fan_area > 0.0:
                         continue
                     lo, mid, hi = ordered(d[0], d[k - 1], d[k])
-                    largest = max(largest, -lo, hi)
+                    largest_here = max(largest_here, -lo, hi)
                     absolute, signed = add_piece(triangle_sums, fan_area, lo, mid, hi, tolerances)
                     area += fan_area
                     volume += fan_area * absolute
@@ -235,9 +238,10 @@ def _pass(
                         weighted_volume += fan_area * mean_abs_weighted(
                             d[0], d[k - 1], d[k], weight[0], weight[k - 1], weight[k]
                         )
-        if area > 0.0:
-            ux, uy, vx, vy = corners[1, 0], corners[1, 1], corners[2, 0], corners[2, 1]
-            whole = max(area, 0.5 * (ux * vy - vx * uy))
+        ux, uy, vx, vy = corners[1, 0], corners[1, 1], corners[2, 0], corners[2, 1]
+        whole = max(area, 0.5 * (ux * vy - vx * uy))
+        if area > _SLIVER * whole:
+            largest = max(largest, largest_here)
             if not len(node_weight):
                 weighted_volume = volume
             interface = label[a] | label[b] | label[c] == _BOTH
@@ -246,6 +250,7 @@ def _pass(
             means_abs[t] = volume / area * unit
             means_signed[t] = signed_volume / area * unit
         else:
+            triangle_sums[:] = 0.0
             areas[t] = np.nan
             means_abs[t] = np.nan
             means_signed[t] = np.nan
