@@ -8,7 +8,7 @@ from typing import Annotated, Any, BinaryIO
 import typer
 
 from surfcmp_core.cli.bar import progress_bar
-from surfcmp_core.cli.ends import CANNOT_COMPARE, WrongUsage, complain, ending
+from surfcmp_core.cli.ends import WrongUsage, ending
 from surfcmp_core.cli.options import (
     AlignOption,
     DomainOption,
@@ -23,9 +23,11 @@ from surfcmp_core.cli.options import (
     WeightOption,
 )
 from surfcmp_core.cli.pair import Settings, compare_files
+from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
 from surfcmp_core.errors import InputError
+from surfcmp_core.names import one_line
 from surfcmp_core.report import OutputError, check_outputs
-from surfcmp_core.report.document import Document, now, one_line, program
+from surfcmp_core.report.document import Document, now, program
 from surfcmp_core.report.meanings import MEANINGS
 from surfcmp_core.report.numbers import with_unit
 from surfcmp_core.report.outputs import write_all

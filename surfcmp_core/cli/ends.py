@@ -1,4 +1,4 @@
-"""How commands end: exit statuses, and the one line that says why."""
+"""How commands end: what they raise becomes an exit status."""
 
 import functools
 import os
@@ -7,21 +7,12 @@ from collections.abc import Callable
 
 import typer
 
+from surfcmp_core.cli.statuses import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
 from surfcmp_core.errors import SurfcmpError
-from surfcmp_core.report.document import one_line
-
-WRONG_USAGE = 2
-CANNOT_COMPARE = 3
-INTERRUPTED = 130
 
 
 class WrongUsage(SurfcmpError):  # noqa: N818 - not a fault of the program
     """The arguments ask for something that does not exist; the message is one line."""
-
-
-def complain(text: str) -> None:
-    """Say on standard error, in one line, what is wrong."""
-    print(f"surfcmp: {one_line(text)}", file=sys.stderr)
 
 
 def ending[**P](command: Callable[P, None]) -> Callable[P, None]:

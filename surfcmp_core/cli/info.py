@@ -20,7 +20,7 @@ def command(file: File, unit: UnitOption = None) -> None:
 
     from surfcmp_core.cli.table import columns, console
     from surfcmp_core.io import facts_of, read_surface
-    from surfcmp_core.report.document import one_line
+    from surfcmp_core.names import one_line
 
     rows = columns("", "")
     for name, text in fact_rows(facts_of(read_surface(file, unit=unit))):
@@ -44,7 +44,7 @@ def fact_rows(facts: Facts) -> list[tuple[str, str]]:
         ("unit", facts.unit or "not stated (mm is assumed)"),
         ("one-valued", _one_valued(facts)),
         ("repeated nodes", thousands(facts.repeated)),
-        *((reason, thousands(count)) for reason, count in facts.dropped.items()),
+        *((reason, thousands(count)) for reason, count in (facts.dropped | facts.changed).items()),
         ("SHA-256", facts.sha256),
     ]
 

@@ -1,51 +1,15 @@
-"""`surfcmp`: which command, and how it ends."""
+"""`surfcmp`: a command, or the window; nothing is imported for the one that the other needs."""
 
-import signal
-import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import FrameType
-from typing import Annotated
 
-import typer
+from surfcmp_core.cli.statuses import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
 
-from surfcmp_core.cli import batch, compare, info
-from surfcmp_core.cli.ends import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
+NAMES = ("compare", "batch", "info")
+"""The commands; a first argument that is none of them is a file."""
 
 Window = Callable[[list[Path]], int]
 """Opens the window on at most two files; returns its exit status."""
-
-commands = typer.Typer(
-    name="surfcmp",
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    no_args_is_help=True,
-    epilog="Without a command: surfcmp [A [B]] opens the window.",
-    help="Compare two surfaces z = F(x, y) given on unstructured grids of different density.",
-)
-commands.command("compare")(compare.command)
-commands.command("batch")(batch.command)
-commands.command("info")(info.command)
-NAMES = tuple(str(one.name) for one in commands.registered_commands)
-
-
-def _version(asked: bool) -> None:
-    if asked:
-        import surfcmp_core
-
-        typer.echo(f"surfcmp {surfcmp_core.__version__}")
-        raise typer.Exit
-
-
-@commands.callback()
-def _options(
-    version: Annotated[
-        bool,
-        typer.Option("--version", is_eager=True, callback=_version, help="Show the version."),
-    ] = False,
-) -> None:
-    """Take the options that belong to no command."""
 
 
 def run(arguments: Sequence[str], window: Window) -> int:
@@ -63,19 +27,12 @@ def run(arguments: Sequence[str], window: Window) -> int:
     int
         0 done, 2 wrong usage, 3 the input cannot be compared, 130 interrupted.
     """
-    with _termination_like_ctrl_c():
-        return _run(arguments, window)
-
-
-def _run(arguments: Sequence[str], window: Window) -> int:
     try:
         if arguments and (arguments[0] in NAMES or arguments[0].startswith("-")):
-            commands(list(arguments), prog_name="surfcmp")
-            return 0
+            from surfcmp_core.cli.commands import run_command
+
+            return run_command(arguments)
         return _open(window, arguments)
-    except SystemExit as end:
-        # 1 is typer's word for a reader that went away.
-        return INTERRUPTED if end.code == 1 else int(end.code or 0)
     except KeyboardInterrupt:
         return INTERRUPTED
 
@@ -91,20 +48,3 @@ def _open(window: Window, arguments: Sequence[str]) -> int:
             complain(f"{path}: no such file, nor a command (commands are {known})")
             return CANNOT_COMPARE
     return window(paths)
-
-
-@contextmanager
-def _termination_like_ctrl_c() -> Iterator[None]:
-    """Let a polite kill clean up as Ctrl-C does."""
-
-    def stop(_signal: int, _frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGTERM, stop)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

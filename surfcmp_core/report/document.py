@@ -1,11 +1,9 @@
 """The .json result as a dictionary; every other report is made from it."""
 
 import math
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +12,7 @@ import surfcmp_core
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Measures
+from surfcmp_core.names import one_line
 from surfcmp_core.surface import Surface
 
 Document = dict[str, Any]
@@ -43,12 +42,6 @@ def now() -> str:
 def unit_of(comparison: Comparison) -> str:
     """Length unit of the numbers; mm where no file says."""
     return comparison.surfaces[0].unit or comparison.surfaces[1].unit or "mm"
-
-
-def one_line(text: str | Path) -> str:
-    """Return a file's name, or a message about it, as one line that can be written anywhere."""
-    decoded = os.fsencode(text).decode("utf-8", "replace")
-    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in decoded)
 
 
 def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None) -> Document:

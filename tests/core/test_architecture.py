@@ -14,7 +14,7 @@ FOREIGN = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", 
 FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
-    {"errors", "progress", "surface", "_cache"},
+    {"errors", "progress", "surface", "names", "_cache"},
     {"kernel"},
     {"predicates"},
     {"grid", "io", "thinning"},
@@ -27,6 +27,7 @@ ORDER = (
     {"united"},
     {"domain", "measures"},
     {"comparison"},
+    {"side", "stages"},
     {"compare", "report"},
     {"cli"},
 )

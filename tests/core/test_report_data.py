@@ -13,9 +13,9 @@ import pytest
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.measures import Measures
+from surfcmp_core.names import one_line
 from surfcmp_core.report import WRITERS, make_document
 from surfcmp_core.report.data_files import json_bytes
-from surfcmp_core.report.document import one_line
 
 from .two_squares import two_squares
 

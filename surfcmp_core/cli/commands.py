@@ -1,0 +1,71 @@
+"""All commands of `surfcmp`."""
+
+import signal
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import FrameType
+from typing import Annotated
+
+import typer
+
+from surfcmp_core.cli import batch, compare, info
+from surfcmp_core.cli.statuses import INTERRUPTED
+
+commands = typer.Typer(
+    name="surfcmp",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    epilog="Without a command: surfcmp [A [B]] opens the window.",
+    help="Compare two surfaces z = F(x, y) given on unstructured grids of different density.",
+)
+commands.command("compare")(compare.command)
+commands.command("batch")(batch.command)
+commands.command("info")(info.command)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        import surfcmp_core
+
+        typer.echo(f"surfcmp {surfcmp_core.__version__}")
+        raise typer.Exit
+
+
+@commands.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option("--version", is_eager=True, callback=_version, help="Show the version."),
+    ] = False,
+) -> None:
+    """Take the options that belong to no command."""
+
+
+def run_command(arguments: Sequence[str]) -> int:
+    """Run the command that the arguments name; return its exit status."""
+    try:
+        with _termination_like_ctrl_c():
+            commands(list(arguments), prog_name="surfcmp")
+    except SystemExit as end:
+        # 1 is typer's word for a reader that went away.
+        return INTERRUPTED if end.code == 1 else int(end.code or 0)
+    return 0
+
+
+@contextmanager
+def _termination_like_ctrl_c() -> Iterator[None]:
+    """Let a polite kill clean up as Ctrl-C does."""
+
+    def stop(_signal: int, _frame: FrameType | None) -> None:
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

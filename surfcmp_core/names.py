@@ -1,0 +1,21 @@
+"""Names of files, as text that can be shown anywhere."""
+
+import os
+from pathlib import Path
+
+
+def one_line(text: str | Path) -> str:
+    """Return a file's name, or a message about it, as one line that any stream can take.
+
+    Parameters
+    ----------
+    text
+        What the system gave; bytes that are no UTF-8 stand in it as surrogates.
+
+    Returns
+    -------
+    str
+        With a replacement mark for each character that cannot be printed.
+    """
+    decoded = os.fsencode(text).decode("utf-8", "replace")
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in decoded)
