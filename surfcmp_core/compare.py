@@ -1,69 +1,25 @@
 """The whole comparison: the paper's general algorithm, stage by stage (section 3.2)."""
 
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
-from time import perf_counter
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison, Domain, Options, Weight
-from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
-from surfcmp_core.domain.compared import Reason, reasons
-from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
+from surfcmp_core.domain import Footprint, Reason, reasons
 from surfcmp_core.errors import InputError
-from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale, shared_nodes
+from surfcmp_core.grid import Duplicates, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interface import kernels_are_ready
-from surfcmp_core.interpolation import interpolate
 from surfcmp_core.localisation import locate_along_tree
-from surfcmp_core.measures import (
-    LinearSurface,
-    hausdorff,
-    measure,
-    measure_exactly,
-    triangle_areas,
-)
+from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
+from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
+from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
-from surfcmp_core.triangulation import Triangulation, triangulate
-from surfcmp_core.triangulation.half_edges import leaving_edges
+from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
-
-
-class _Clock:
-    """Wall time of each stage, told to the progress callback as it begins."""
-
-    def __init__(self, progress: Progress, read_seconds: float) -> None:
-        self.seconds = {
-            "read": read_seconds,
-            "triangulate": 0.0,
-            "spanning_trees": 0.0,
-            "locate": 0.0,
-            "interpolate": 0.0,
-            "interface": 0.0,
-            "measures": 0.0,
-        }
-        self._progress = progress
-        self._stage = ""
-        self._begin = perf_counter()
-
-    def begin(self, stage: str, fraction: float) -> None:
-        self._progress(stage.replace("_", " "), fraction)
-        self.end()
-        self._stage = stage
-
-    def end(self) -> None:
-        now = perf_counter()
-        if self._stage:
-            self.seconds[self._stage] += now - self._begin
-        self._begin = now
-
-    def finish(self) -> dict[str, float]:
-        self.end()
-        self._progress("done", 1.0)
-        return {**self.seconds, "total": sum(self.seconds.values())}
 
 
 def _explained(progress: Progress) -> Progress:
@@ -71,15 +27,6 @@ def _explained(progress: Progress) -> Progress:
     if kernels_are_ready():
         return progress
     return lambda stage, share: progress(f"{stage} (compiling, on first use only)", share)
-
-
-def _both[A, B](work: Callable[[A], B], first: A, second: A, threads: int) -> tuple[B, B]:
-    """Do the same for either surface, at once where two threads are allowed."""
-    if threads < 2:
-        return work(first), work(second)
-    with ThreadPoolExecutor(1) as pool:
-        other = pool.submit(work, second)
-        return work(first), other.result()
 
 
 def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
@@ -99,82 +46,6 @@ def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
             *(["the file states no unit; mm is assumed"] if surface.unit is None else []),
         )
     )
-
-
-def _footprint(
-    grid: Grid,
-    triangulation: Triangulation,
-    tree: NDArray[np.int32],
-    max_edge: float | None,
-    scale: float,
-) -> Footprint:
-    if grid.faces is not None:
-        found = footprint_of_mesh(triangulation, grid.faces)
-    else:
-        limit = None if max_edge is None else max_edge * scale
-        found = footprint_of_cloud(triangulation, tree, limit)
-    return replace(found, area=found.area / scale / scale, max_edge=found.max_edge / scale)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Side:
-    """One surface among the nodes of T."""
-
-    grid: Grid
-    footprint: Footprint
-    own: NDArray[np.int32]
-    """Numbers in T of its nodes."""
-    other: NDArray[np.int32]
-    """Numbers in T of the other grid's nodes."""
-    queries: NDArray[np.float64]
-    """The other grid's nodes."""
-    found: NDArray[np.int32]
-    """Where those lie in its triangulation."""
-
-    def values(self, count: int, domain: Domain) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """F̂ at all nodes of T, and where the surface has data."""
-        triangulation = self.footprint.triangulation
-        z = np.empty(count)
-        z[self.other] = interpolate(
-            triangulation, self.grid.z, self.queries, self.found, continued=domain == "plane"
-        )
-        z[self.own] = self.grid.z
-        state = np.full(count, DATA)
-        if domain == "hull":
-            state[self.other[self.found >= triangulation.real]] = OUTSIDE
-            state[self.own] = DATA
-        elif domain == "data":
-            state[self.other] = states_at(self.footprint, self.queries, self.found)
-            state[self.own] = self.footprint.at_node
-            without = state != DATA
-            without[self.own] = False
-            z[without] = np.nan
-        return z, state
-
-    def linear(self, domain: Domain) -> LinearSurface:
-        """F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""
-        triangulation = self.footprint.triangulation
-        valid = np.ones(triangulation.real, bool)
-        if domain == "data":
-            valid = self.footprint.covered
-        return LinearSurface(triangulation, self.grid.z, valid, self.found)
-
-    def states(
-        self, nodes: NDArray[np.float64], united: United, state: NDArray[np.uint8], domain: Domain
-    ) -> NDArray[np.uint8]:
-        """Where the surface has data for the triangles of T."""
-        triangulation = self.footprint.triangulation
-        hints = np.empty(len(nodes), np.int32)
-        hints[self.other] = self.found
-        hints[self.own] = leaving_edges(triangulation.start, len(triangulation.nodes)) // 3
-        return states_of_triangles(
-            self.footprint,
-            nodes,
-            united.triangles,
-            state,
-            hints,
-            ask_centroids=domain == "data",
-        )
 
 
 def compare(
@@ -239,129 +110,117 @@ def compare(
     ----------
     Stages 1 to 6 of the paper's section 3.2; formulas (1) to (3).
     """
-    progress = _explained(progress)
-    clock = _Clock(progress, read_seconds)
+    clock = Clock(_explained(progress), read_seconds)
     view = np.eye(4) if frame is None else np.asarray(frame, np.float64)
     motion = view if align is None else view @ np.asarray(align, np.float64)
 
-    clock.begin("triangulate", 0.0)
-    first, second = _placed(surface_1, view), _placed(surface_2, motion)
-    box = box_of(first, second)
-    grids = _both(
-        lambda surface: grid_of(surface, duplicates=duplicates, box=box), first, second, threads
-    )
-    scale = safe_scale(grids[0].nodes, grids[1].nodes)
-    triangulations = _both(
-        lambda grid: triangulate(grid.nodes * scale, name=grid.name, model=grid.faces),
-        *grids,
-        threads,
-    )
-    clock.begin("spanning_trees", 0.4)
-    trees = _both(spanning_tree, *triangulations, threads)
-
-    clock.begin("interface", 0.5)
-    scaled = unite(
-        *triangulations,
-        *trees,
-        shared_nodes(*grids),
-        lambda share: progress("interface", 0.5 + 0.2 * share),
-    )
-
-    clock.begin("locate", 0.7)
-    ends = tree_ends(triangulations[0], trees[0]), tree_ends(triangulations[1], trees[1])
-    found_in_2, found_in_1 = _both(
-        lambda job: locate_along_tree(*job),
-        (triangulations[1], triangulations[0].nodes, ends[0]),
-        (triangulations[0], triangulations[1].nodes, ends[1]),
-        threads,
-    )
-
-    clock.begin("interpolate", 0.8)
-    footprints = _both(
-        lambda job: _footprint(*job, max_edge, scale),
-        (grids[0], triangulations[0], ends[0]),
-        (grids[1], triangulations[1], ends[1]),
-        threads,
-    )
-    sides = (
-        _Side(
-            grids[0],
-            footprints[0],
-            scaled.node_1,
-            scaled.node_2,
-            triangulations[1].nodes,
-            found_in_1,
-        ),
-        _Side(
-            grids[1],
-            footprints[1],
-            scaled.node_2,
-            scaled.node_1,
-            triangulations[0].nodes,
-            found_in_2,
-        ),
-    )
-    (z1, at_1), (z2, at_2) = _both(
-        lambda side: side.values(len(scaled.nodes), domain), *sides, threads
-    )
-    state_1, state_2 = _both(
-        lambda job: job[0].states(scaled.nodes, scaled, job[1], domain),
-        (sides[0], at_1),
-        (sides[1], at_2),
-        threads,
-    )
-
-    clock.begin("measures", 0.9)
-    united = scaled
-    if scale != 1.0:
-        united = replace(scaled, nodes=scaled.nodes / scale)
-        triangulations = (
-            replace(triangulations[0], nodes=grids[0].nodes),
-            replace(triangulations[1], nodes=grids[1].nodes),
+    with clock.stage("triangulate", 0.0):
+        placed = _placed(surface_1, view), _placed(surface_2, motion)
+        box = box_of(*placed)
+        grids = both(lambda s: grid_of(s, duplicates=duplicates, box=box), *placed, threads)
+        scale = safe_scale(grids[0].nodes, grids[1].nodes)
+        triangulations = both(
+            lambda grid: triangulate(
+                grid.nodes if scale == 1.0 else grid.nodes * scale,
+                name=grid.name,
+                model=grid.faces,
+            ),
+            *grids,
+            threads,
         )
-    reason = reasons(state_1, state_2, triangle_areas(united.nodes, united.triangles))
-    compared = reason == Reason.COMPARED
-    if not compared.any():
-        raise InputError(f"{first.name} and {second.name}: no common area to compare")
-    node_weight = None
-    if weight is not None:
-        node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
-    points = [np.column_stack((grid.nodes, grid.z)) for grid in grids]
-    farthest = _both(
-        lambda job: hausdorff(*job),
-        (points[0], points[1], triangulations[1].start[3 * found_in_2]),
-        (points[1], points[0], triangulations[0].start[3 * found_in_1]),
-        threads,
+    with clock.stage("spanning_trees", 0.4):
+        trees = both(spanning_tree, *triangulations, threads)
+        ends = [tree_ends(t, tree) for t, tree in zip(triangulations, trees, strict=True)]
+
+    def merge() -> United:
+        with clock.stage("interface", 0.5):
+            return unite(
+                *triangulations,
+                *trees,
+                shared_nodes(*grids),
+                lambda share: progress("interface", 0.5 + 0.2 * share),
+            )
+
+    def around(this: int, other: int) -> tuple[NDArray[np.int32], float, Footprint]:
+        """Locate the other grid in this one; the farthest of its nodes; where this one has data."""
+        with clock.stage("locate"):
+            found = locate_along_tree(
+                triangulations[this], triangulations[other].nodes, ends[other]
+            )
+        with clock.stage("measures"):
+            points = [np.column_stack((grid.nodes, grid.z)) for grid in grids]
+            near = triangulations[this].start[3 * found]
+            farthest = hausdorff(points[other], points[this], near)
+        with clock.stage("interpolate"):
+            limit = None if max_edge is None else max_edge * scale
+            footprint = footprint_of(grids[this], triangulations[this], ends[this], limit)
+        return found, farthest, footprint
+
+    # merging needs none of the three, nor they it (the paper, after the stages)
+    scaled, ((found_1, farthest_2, footprint_1), (found_2, farthest_1, footprint_2)) = at_once(
+        merge, lambda: (around(0, 1), around(1, 0)), threads
     )
-    values, measures = measure(
-        united.nodes,
-        united.label,
-        united.triangles,
-        z1,
-        z2,
-        compared,
-        tolerances=tolerances,
-        node_weight=node_weight,
-        footprint_1=footprints[0].area,
-        footprint_2=footprints[1].area,
-        hausdorff=farthest,
-    )
-    exact_values = None
-    if exact:
-        exact_values, exact_measures = measure_exactly(
-            sides[0].linear(domain),
-            sides[1].linear(domain),
-            scaled,
-            length=1.0 / scale,
+
+    with clock.stage("interpolate", 0.7):
+        nodes_1, nodes_2 = triangulations[0].nodes, triangulations[1].nodes
+        sides = (
+            Side(grids[0], footprint_1, scaled.node_1, scaled.node_2, nodes_2, found_1),
+            Side(grids[1], footprint_2, scaled.node_2, scaled.node_1, nodes_1, found_2),
+        )
+        (z1, at_1), (z2, at_2) = both(
+            lambda side: side.values(len(scaled.nodes), domain), *sides, threads
+        )
+        state_1, state_2 = at_once(
+            lambda: sides[0].states(scaled, at_1, domain),
+            lambda: sides[1].states(scaled, at_2, domain),
+            threads,
+        )
+
+    with clock.stage("measures", 0.85):
+        united = scaled
+        if scale != 1.0:
+            united = replace(scaled, nodes=scaled.nodes / scale)
+            triangulations = (
+                replace(triangulations[0], nodes=grids[0].nodes),
+                replace(triangulations[1], nodes=grids[1].nodes),
+            )
+        reason = reasons(state_1, state_2, triangle_areas(united.nodes, united.triangles))
+        compared = reason == Reason.COMPARED
+        if not compared.any():
+            raise InputError(f"{placed[0].name} and {placed[1].name}: no common area to compare")
+        node_weight = None
+        if weight is not None:
+            node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
+        footprints = footprint_1.area / scale / scale, footprint_2.area / scale / scale
+        values, measures = measure(
+            united.nodes,
+            united.label,
+            united.triangles,
+            z1,
+            z2,
+            compared,
             tolerances=tolerances,
             node_weight=node_weight,
-            footprint_1=footprints[0].area,
-            footprint_2=footprints[1].area,
-            hausdorff=farthest,
-            progress=lambda share: progress("exact measures", 0.92 + 0.08 * share),
+            footprint_1=footprints[0],
+            footprint_2=footprints[1],
+            hausdorff=(farthest_1, farthest_2),
         )
-        measures = replace(measures, exact=exact_measures)
-    seconds = clock.finish()
+        exact_values = None
+        if exact:
+            exact_values, exact_measures = measure_exactly(
+                sides[0].linear(domain),
+                sides[1].linear(domain),
+                scaled,
+                length=1.0 / scale,
+                tolerances=tolerances,
+                node_weight=node_weight,
+                footprint_1=footprints[0],
+                footprint_2=footprints[1],
+                hausdorff=(farthest_1, farthest_2),
+                progress=lambda share: progress("exact measures", 0.9 + 0.1 * share),
+            )
+            measures = replace(measures, exact=exact_measures)
+    progress("done", 1.0)
     return Comparison(
         (surface_1, surface_2),
         grids,
@@ -377,10 +236,10 @@ def compare(
         measures,
         Options(domain, max_edge, exact, tuple(tolerances), duplicates, threads),
         motion,
-        (footprints[0].max_edge, footprints[1].max_edge),
+        (footprint_1.max_edge / scale, footprint_2.max_edge / scale),
         None if exact_values is None else exact_values.mean_abs,
         None if exact_values is None else exact_values.mean_signed,
         view,
-        seconds,
-        _warnings(first, second),
+        clock.seconds(),
+        _warnings(*placed),
     )

@@ -1,0 +1,108 @@
+"""One surface while it is compared: among the nodes and triangles of T."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.comparison import Domain
+from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
+from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
+from surfcmp_core.grid import Grid
+from surfcmp_core.interpolation import interpolate
+from surfcmp_core.measures import LinearSurface
+from surfcmp_core.triangulation import Triangulation
+from surfcmp_core.triangulation.half_edges import leaving_edges
+from surfcmp_core.united import United
+
+
+def footprint_of(
+    grid: Grid, triangulation: Triangulation, tree: NDArray[np.int32], max_edge: float | None
+) -> Footprint:
+    """Find where a surface has data: a mesh under its faces, a cloud over its short edges.
+
+    Parameters
+    ----------
+    grid : Grid
+    triangulation : Triangulation
+        Of the grid's nodes; its coordinates are those of the result.
+    tree : (n - 1, 2) int32
+        Its spanning tree.
+    max_edge : float or None
+        Of a cloud, see :func:`surfcmp_core.domain.footprint_of_cloud`.
+
+    Returns
+    -------
+    Footprint
+    """
+    if grid.faces is not None:
+        return footprint_of_mesh(triangulation, grid.faces)
+    return footprint_of_cloud(triangulation, tree, max_edge)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Side:
+    """One of the two surfaces, seen from T.
+
+    Attributes
+    ----------
+    grid : Grid
+    footprint : Footprint
+        With the surface's triangulation.
+    own, other : (n,), (n') int32
+        Numbers in T of its nodes and of the other grid's.
+    queries : (n', 2) float64
+        The other grid's nodes.
+    found : (n',) int32
+        Where those lie in the surface's triangulation.
+    """
+
+    grid: Grid
+    footprint: Footprint
+    own: NDArray[np.int32]
+    other: NDArray[np.int32]
+    queries: NDArray[np.float64]
+    found: NDArray[np.int32]
+
+    def values(self, count: int, domain: Domain) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """Give F̂ at all N = `count` nodes of T, NaN without data, and the state there."""
+        triangulation = self.footprint.triangulation
+        z = np.empty(count)
+        z[self.other] = interpolate(
+            triangulation, self.grid.z, self.queries, self.found, continued=domain == "plane"
+        )
+        z[self.own] = self.grid.z
+        state = np.full(count, DATA)
+        if domain == "hull":
+            state[self.other[self.found >= triangulation.real]] = OUTSIDE
+            state[self.own] = DATA
+        elif domain == "data":
+            state[self.other] = states_at(self.footprint, self.queries, self.found)
+            state[self.own] = self.footprint.at_node
+            without = state != DATA
+            without[self.own] = False
+            z[without] = np.nan
+        return z, state
+
+    def states(
+        self, united: United, node_states: NDArray[np.uint8], domain: Domain
+    ) -> NDArray[np.uint8]:
+        """Give the state of each triangle of T: DATA, OUTSIDE or HOLE."""
+        triangulation = self.footprint.triangulation
+        hints = np.empty(len(united.nodes), np.int32)
+        hints[self.other] = self.found
+        hints[self.own] = leaving_edges(triangulation.start, len(triangulation.nodes)) // 3
+        return states_of_triangles(
+            self.footprint,
+            united.nodes,
+            united.triangles,
+            node_states,
+            hints,
+            ask_centroids=domain == "data",
+        )
+
+    def linear(self, domain: Domain) -> LinearSurface:
+        """Give F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""
+        triangulation = self.footprint.triangulation
+        valid = self.footprint.covered if domain == "data" else np.ones(triangulation.real, bool)
+        return LinearSurface(triangulation, self.grid.z, valid, self.found)
