@@ -39,7 +39,7 @@ class Session(QObject):
         files = [path.absolute() for path in paths]
         document = self.document
         if len(files) >= 2:
-            document = Document((files[0], files[1]), document.options)
+            document = Document((files[0], files[1]), document.options, unit=document.unit)
         elif files:
             missing = 1 if document.paths[0] is None else 2
             document = document.with_path(number or missing, files[0])
@@ -65,7 +65,8 @@ class Session(QObject):
         if self.shown is not None and document == self.shown.document:
             self.runner.cancel()
         elif document.complete:
-            self.runner.start(lambda progress: compared(document, progress))
+            before = self.shown
+            self.runner.start(lambda progress: compared(document, before, progress))
         self.changed.emit()
 
     def _finish(self, result: Compared) -> None:

@@ -1,12 +1,13 @@
 """Carries what changed to the widgets that show it."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from app.jobs.comparing import Compared
-from app.model.view_state import Heatmap, ViewState
+from app.model.view_state import Heatmap, Scale, ViewState
 from app.numbers import thousands
 from app.panels.toolbar import HEATMAPS
 from app.scene.chain_table import chain_box
@@ -44,11 +45,12 @@ class Showing(QObject):
         window.probes.keep_asked.connect(self.keep_probe)
         window.probes.remove_asked.connect(self._remove_probe)
         window.probes.clear_asked.connect(lambda: display.change(probes=()))
-        window.scale.changed.connect(lambda scale: display.change(scale=scale))
+        window.scale.changed.connect(self._scale_chosen)
         window.scale.fit_asked.connect(self._fit)
         window.empty.open_asked.connect(self._open_missing)
         window.empty.sample_asked.connect(lambda: window.actions_of.open_sample())
         self._dark: bool | None = None
+        self._fitted: tuple[Path | None, Path | None] = (None, None)
         self._session_changed()
         self._state_changed()
 
@@ -58,7 +60,7 @@ class Showing(QObject):
         shown = self._window.session.shown
         if shown is None:
             return ""
-        return shown.document.unit or unit_of(shown.content.comparison)
+        return shown.document.unit or unit_of(shown.comparison)
 
     def _session_changed(self) -> None:
         window, session = self._window, self._window.session
@@ -78,10 +80,11 @@ class Showing(QObject):
     def _compared(self, result: Compared) -> None:
         window, content = self._window, result.content
         comparison = content.comparison
-        state = window.display.state
-        if not state.scale.pinned:
-            limit = fitting_limit(content.distributions.absolute)
-            window.display.change(scale=replace(state.scale, limit=limit))
+        scale = replace(window.display.state.scale, tolerances=result.document.options.tolerances)
+        if not scale.pinned and result.document.paths != self._fitted:
+            scale = replace(scale, limit=fitting_limit(content.distributions.absolute))
+        self._fitted = result.document.paths
+        window.display.change(scale=scale)
         if window.pages.currentWidget() is not window.grid:
             window.pages.setCurrentWidget(window.grid)
             window.grid.setFocus()
@@ -186,6 +189,13 @@ class Showing(QObject):
         height = self._window.display.camera.height
         for frame in self._window.grid.frames:
             frame.measure(height / max(frame.canvas.height(), 1), self.unit)
+
+    def _scale_chosen(self, scale: Scale) -> None:
+        window, document = self._window, self._window.session.document
+        window.display.change(scale=scale)
+        if scale.tolerances != document.options.tolerances:
+            options = replace(document.options, tolerances=scale.tolerances)
+            window.session.set_document(replace(document, options=options))
 
     def _fit(self) -> None:
         display = self._window.display

@@ -1,25 +1,45 @@
 """From a document to what the window shows; runs beside the window."""
 
-from dataclasses import dataclass
+import time
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
-from app.model.document import Document
+import numpy as np
+
+from app.jobs.regions import RegionMeasures, measured_regions, weighted
+from app.model.document import NOT_MOVED, Document
 from app.scene.content import Content, content_of
+from surfcmp_core.comparison import Comparison
 from surfcmp_core.progress import Progress
 from surfcmp_core.surface import Surface
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Compared:
-    """A document and what came of it."""
+    """A document and what came of it.
+
+    Attributes
+    ----------
+    comparison : Comparison
+        As the command line gives it, before any region's weight.
+    record : dict
+        The .json result.
+    regions : tuple of RegionMeasures
+        Of each region, and of the rest last; empty without regions.
+    """
 
     document: Document
+    comparison: Comparison
+    record: dict[str, Any]
     content: Content
+    regions: tuple[RegionMeasures, ...]
 
 
-def compared(document: Document, progress: Progress) -> Compared:
-    """Read both files, compare them and prepare the picture.
+def compared(document: Document, before: Compared | None, progress: Progress) -> Compared:
+    """Do what changed since `before`: everything, or only the measures.
 
     Raises
     ------
@@ -29,38 +49,66 @@ def compared(document: Document, progress: Progress) -> Compared:
         If `progress` says so.
     """
     progress("read", 0.0)
-    from surfcmp_core import compare  # the core's kernels load beside the window
+    if before is not None and replace(document, regions=()) == replace(before.document, regions=()):
+        comparison, record = before.comparison, before.record
+        geometry = before.content.geometry
+    else:
+        comparison, record = _compare(document, progress)
+        geometry = None
+    progress("picture", 0.98)
+    regions = measured_regions(comparison, document.regions)
+    shown = weighted(comparison, document.regions)
+    return Compared(document, comparison, record, content_of(shown, geometry), regions)
+
+
+def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[str, Any]]:
+    """Compare by the very function of the command line, so that the numbers are the same."""
+    from surfcmp_core.cli.pair import Settings, compare_surfaces
 
     one, two = document.paths
     assert one is not None
     assert two is not None
-    options = document.options
-    surfaces = [_surface(path, progress) for path in (one, two)]
-    comparison = compare(
-        surfaces[0],
-        surfaces[1],
-        domain=options.domain,
-        max_edge=options.max_edge,
-        exact=options.exact,
-        tolerances=options.tolerances,
-        duplicates=options.duplicates,
-        threads=options.threads,
-        progress=progress,
-    )
-    progress("picture", 1.0)
-    return Compared(document, content_of(comparison))
+    options, motion = document.options, document.motion
+    start = time.perf_counter()
+    surfaces = _surface(one, document.unit), _surface(two, document.unit)
+    seconds = time.perf_counter() - start
+    with TemporaryDirectory(prefix="surfcmp-") as folder:
+        align = "none"
+        if motion != NOT_MOVED:
+            align = str(Path(folder) / "motion.npy")
+            np.save(align, np.array(motion.matrix))
+        settings = Settings(
+            domain=options.domain,
+            max_edge=options.max_edge,
+            exact=options.exact,
+            tolerances=options.tolerances,
+            duplicates=options.duplicates,
+            unit=document.unit or None,
+            weight=None,
+            align=align,
+            project=document.project,
+            threads=options.threads,
+        )
+        comparison, record = compare_surfaces(surfaces, settings, progress, seconds)
+    if motion != NOT_MOVED:
+        record["options"]["align"] = {
+            "method": motion.method,
+            "residual": None if np.isnan(motion.residual) else motion.residual,
+            "inliers": motion.pairs,
+            "matrix": [list(row) for row in motion.matrix],
+        }
+    return comparison, record
 
 
-def _surface(path: Path, progress: Progress) -> Surface:
-    progress("read", 0.0)
+def _surface(path: Path, unit: str) -> Surface:
     status = path.stat() if path.exists() else None
     stamp = (status.st_mtime_ns, status.st_size) if status else (0, 0)
-    return _read(path, stamp)
+    return read_once(path, stamp, unit)
 
 
 @lru_cache(maxsize=2)
-def _read(path: Path, _stamp: tuple[int, int]) -> Surface:
+def read_once(path: Path, _stamp: tuple[int, int], unit: str) -> Surface:
     """Read a file once for as long as it does not change."""
-    from surfcmp_core import read_surface
+    from surfcmp_core.cli.pair import read
 
-    return read_surface(path)
+    return read(path, unit or None)

@@ -4,11 +4,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Self
 
+from app.model.region import Region
 from surfcmp_core.comparison import Options
 
-Transform = tuple[tuple[float, float, float, float], ...]
+Matrix = tuple[tuple[float, float, float, float], ...]
 
-IDENTITY: Transform = (
+IDENTITY: Matrix = (
     (1.0, 0.0, 0.0, 0.0),
     (0.0, 1.0, 0.0, 0.0),
     (0.0, 0.0, 1.0, 0.0),
@@ -18,15 +19,44 @@ IDENTITY: Transform = (
 
 
 @dataclass(frozen=True, slots=True)
+class Motion:
+    """How surface 2 was moved onto surface 1, and how well that went.
+
+    Attributes
+    ----------
+    matrix : 4 x 4 floats
+        In the files' coordinates.
+    method : str
+        In words, for reports.
+    residual : float
+        Root mean square distance that was left, in the input's unit; NaN where unknown.
+    pairs : int
+        Pairs of places it was found from.
+    """
+
+    matrix: Matrix = IDENTITY
+    method: str = "none"
+    residual: float = float("nan")
+    pairs: int = 0
+
+
+NOT_MOVED = Motion()
+
+
+@dataclass(frozen=True, slots=True)
 class Document:
-    """Inputs, options and the motion of surface 2; equal documents give equal numbers."""
+    """Inputs, options, motion and regions; equal documents give equal numbers."""
 
     paths: tuple[Path | None, Path | None] = (None, None)
     options: Options = field(default_factory=Options)
-    transform: Transform = IDENTITY
-    """Moves surface 2, in the files' coordinates."""
+    motion: Motion = NOT_MOVED
+    """Of surface 2."""
     unit: str = ""
     """What the user says the files' unit is; empty: what the files say."""
+    project: str = "z"
+    """Direction of view, as the command line's option of that name."""
+    regions: tuple[Region, ...] = ()
+    """Later ones lie over earlier ones."""
 
     @property
     def complete(self) -> bool:
@@ -34,10 +64,11 @@ class Document:
         return all(self.paths)
 
     def with_path(self, number: int, path: Path | None) -> Self:
-        """Return the document with surface `number` (1 or 2) replaced."""
+        """Return the document with surface `number` (1 or 2) replaced, and no longer moved."""
         one, two = self.paths
-        return replace(self, paths=(path, two) if number == 1 else (one, path))
+        paths = (path, two) if number == 1 else (one, path)
+        return replace(self, paths=paths, motion=NOT_MOVED)
 
     def swapped(self) -> Self:
-        """Return the document with the surfaces' roles exchanged."""
-        return replace(self, paths=(self.paths[1], self.paths[0]))
+        """Return the document with the surfaces' roles exchanged, where nothing was moved."""
+        return replace(self, paths=(self.paths[1], self.paths[0]), motion=NOT_MOVED)

@@ -24,11 +24,11 @@ class Content:
     counts: dict[str, int]
 
 
-def content_of(comparison: Comparison) -> Content:
-    """Return the comparison ready to be shown."""
+def content_of(comparison: Comparison, geometry: Geometry | None = None) -> Content:
+    """Return the comparison ready to be shown; `geometry` where it is known."""
     return Content(
         comparison,
-        geometry_of(comparison),
+        geometry or geometry_of(comparison),
         distributions_of(comparison),
         chain_table(comparison),
         comparison.counts,

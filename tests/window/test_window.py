@@ -1,5 +1,6 @@
 """The window as a person uses it."""
 
+import json
 import math
 from pathlib import Path
 
@@ -10,10 +11,10 @@ from PySide6.QtGui import QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from app.__main__ import main
 from app.model.view_state import Heatmap
 from app.numbers import with_unit
 from app.window import MainWindow
-from surfcmp_core import compare, read_surface
 from tests.window.conftest import PATIENCE
 
 
@@ -50,24 +51,20 @@ def test_the_sample_is_compared_at_first_start(sample: MainWindow):
         assert len(np.unique(pixels(sample, view).reshape(-1, 4), axis=0)) > 100
 
 
-def test_two_dropped_files_give_the_numbers_of_the_core(
-    sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
+def test_two_dropped_files_give_the_numbers_of_the_command_line(
+    sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, *files)
-    options = sample.session.document.options
-    expected = compare(
-        read_surface(files[0]),
-        read_surface(files[1]),
-        domain=options.domain,
-        tolerances=options.tolerances,
-    ).measures
+    out = tmp_path / "result.json"
+    assert main(["compare", *map(str, files), "--out", str(out), "--quiet"]) == 0
+    expected = json.loads(out.read_text())["measures"]
     for key in ("mean_abs", "rms", "p95", "max_abs", "mean_signed", "rho_V", "rho_delta_V"):
-        value, _ = with_unit(getattr(expected, key), 1, "mm")
+        value, _ = with_unit(expected[key], 1, "mm")
         assert sample.measures.value(key) == value
     table = dict(row.split("\t")[:2] for row in sample.measures.table().splitlines()[1:])
-    assert float(table["volume_below"]) == expected.volume_below
-    assert float(table["≤ 1 mm"]) == 100 * expected.within_tolerance["1"]
+    assert float(table["volume_below"]) == expected["volume_below"]
+    assert float(table["≤ 1 mm"]) == 100 * expected["within_tolerance"]["1"]
 
 
 def test_one_dropped_file_fills_the_empty_place(

@@ -1,0 +1,106 @@
+"""Measures of regions: they add up to the whole, because triangle values do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.region import Polygon, Region
+
+if TYPE_CHECKING:
+    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.measures.measures import Measures
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RegionMeasures:
+    """What was measured over one region.
+
+    `region` is None for all triangles outside every region; `measures` is None where none of the
+    region's triangles is compared.
+    """
+
+    region: Region | None
+    triangles: int
+    measures: Measures | None
+
+
+def region_of(comparison: Comparison, regions: tuple[Region, ...]) -> NDArray[np.int32]:
+    """Return (M,) the number of each triangle's region, by its centroid; -1 for none."""
+    united = comparison.united
+    x, y = united.nodes[united.triangles].mean(axis=1).T
+    number = np.full(len(x), -1, dtype=np.int32)
+    for k, region in enumerate(regions):
+        for polygon in region.polygons:
+            number[inside(x, y, polygon)] = k
+        for cx, cy, radius in region.discs:
+            number[(x - cx) ** 2 + (y - cy) ** 2 <= radius**2] = k
+    return number
+
+
+def inside(x: NDArray[np.float64], y: NDArray[np.float64], polygon: Polygon) -> NDArray[np.bool_]:
+    """Return which points lie inside a polygon (even-odd rule)."""
+    odd = np.zeros(len(x), dtype=bool)
+    corners = np.array(polygon, dtype=np.float64)
+    near = (x >= corners[:, 0].min()) & (x <= corners[:, 0].max())
+    near &= (y >= corners[:, 1].min()) & (y <= corners[:, 1].max())
+    px, py = x[near], y[near]
+    found = np.zeros(len(px), dtype=bool)
+    for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        if y0 == y1:
+            continue
+        crosses = (y0 <= py) != (y1 <= py)
+        found ^= crosses & (px < x0 + (py - y0) * (x1 - x0) / (y1 - y0))
+    odd[near] = found
+    return odd
+
+
+def measured_regions(
+    comparison: Comparison, regions: tuple[Region, ...]
+) -> tuple[RegionMeasures, ...]:
+    """Return the measures of each region, and of the rest last; nothing without regions."""
+    if not regions:
+        return ()
+    number = region_of(comparison, regions)
+    found = []
+    for k, region in enumerate((*regions, None)):
+        mine = comparison.compared & (number == (k if region is not None else -1))
+        measures = _measure(comparison, mine) if mine.any() else None
+        found.append(RegionMeasures(region, int(mine.sum()), measures))
+    return tuple(found)
+
+
+def weighted(comparison: Comparison, regions: tuple[Region, ...]) -> Comparison:
+    """Return the comparison with ρ_V measured under the regions' weights µ, 1 elsewhere."""
+    if all(region.weight == 1.0 for region in regions):
+        return comparison
+    weights = np.array([*(region.weight for region in regions), 1.0])
+    measures = _measure(comparison, comparison.compared, weights[region_of(comparison, regions)])
+    return replace(comparison, measures=replace(measures, exact=comparison.measures.exact))
+
+
+def _measure(
+    comparison: Comparison,
+    mine: NDArray[np.bool_],
+    triangle_weight: NDArray[np.float64] | None = None,
+) -> Measures:
+    from surfcmp_core.measures import measure
+
+    whole, united = comparison.measures, comparison.united
+    return measure(
+        united.nodes,
+        united.label,
+        united.triangles,
+        comparison.z1,
+        comparison.z2,
+        mine,
+        tolerances=comparison.options.tolerances,
+        node_weight=comparison.weight,
+        triangle_weight=triangle_weight,
+        footprint_1=whole.area_compared / whole.coverage_1,
+        footprint_2=whole.area_compared / whole.coverage_2,
+        hausdorff=(whole.hausdorff_1_2, whole.hausdorff_2_1),
+    )[1]
