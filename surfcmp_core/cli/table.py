@@ -1,7 +1,7 @@
 """Tables on standard output, for people."""
 
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.meanings import NOTES, lines
@@ -69,5 +69,6 @@ def columns(*justified: str) -> "Table":
     table = Table(box=None, pad_edge=False, show_header=False, padding=(0, 2, 0, 0))
     for place, justify in enumerate(justified):
         last = place == len(justified) - 1
-        table.add_column(justify="right" if justify == "right" else "left", no_wrap=not last)
+        side: Literal["left", "right"] = "right" if justify == "right" else "left"
+        table.add_column(justify=side, no_wrap=not last, overflow="fold")
     return table

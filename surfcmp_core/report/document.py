@@ -104,7 +104,7 @@ def _input(surface: Surface, grid: Grid) -> Document:
         "file": one_line(surface.path or surface.name),
         "sha256": surface.sha256,
         "kind": surface.kind,
-        "nodes": len(surface.points),
+        "nodes": len(grid.nodes) + sum(dropped.values()),
         "triangles": 0 if surface.faces is None else len(surface.faces),
         "dropped": dropped,
     }

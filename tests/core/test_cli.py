@@ -173,9 +173,11 @@ def balls(folder: Path, *, z: float) -> str:
     """Write a closed ball of radius 5 around (0, 0, z), as a mesh of latitudes and longitudes."""
     import trimesh
 
+    from surfcmp_core.projection import frame
+
     ball = trimesh.creation.icosphere(subdivisions=3, radius=5.0)
-    ball.apply_transform(trimesh.transformations.rotation_matrix(0.4, [1.0, 0.3, 0.2]))
-    ball.apply_translation([0.0, 0.0, z])  # turned, so that no two nodes share x and y
+    ball.apply_transform(frame([0.3, 0.1, 0.9]))  # so that no two nodes share x and y
+    ball.apply_translation([0.0, 0.0, z])
     file = folder / f"ball_{z:g}.off"
     ball.export(file)
     return str(file)
