@@ -9,6 +9,9 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QCursor, QKeySequence
 from PySide6.QtWidgets import QFileDialog, QMenu
 
+from app import settings
+from app.panels.help import HelpDialog, HelpPages
+from app.panels.palette import CommandPalette
 from app.scene.scene import VIEWS
 
 if TYPE_CHECKING:
@@ -30,6 +33,8 @@ class Actions(QObject):
         self._add(file, self.tr("Open surface &1…"), lambda: self.open_one(1), "Ctrl+1")
         self._add(file, self.tr("Open surface &2…"), lambda: self.open_one(2), "Ctrl+2")
         self._add(file, self.tr("Open the &sample faces"), self.open_sample)
+        self.recent = file.addMenu(self.tr("&Recent"))
+        self.recent.aboutToShow.connect(self._list_recent)
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
@@ -55,6 +60,11 @@ class Actions(QObject):
         self.view_menu.addSeparator()
         for dock in window.docks:
             self.view_menu.addAction(dock.toggleViewAction())
+        keys = bar.addMenu(self.tr("&Help"))
+        self._add(keys, self.tr("&Guide"), self.show_guide, "F1")
+        self._add(keys, self.tr("&Keys and mouse"), self.show_shortcuts, "?")
+        self._add(keys, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
+        self._add(keys, self.tr("&About"), self.show_about)
 
     def begin(self, paths: list[Path]) -> None:
         """Open what the command named, or the sample."""
@@ -107,6 +117,45 @@ class Actions(QObject):
         if session.document.complete:
             session.set_document(session.document.swapped())
 
+    def show_palette(self) -> None:
+        """Let the user type what to do."""
+        window = self._window
+        palette = CommandPalette(window, self.all)
+        corner = window.mapToGlobal(window.rect().center())
+        palette.move(corner.x() - palette.width() // 2, corner.y() - palette.height() // 2)
+        palette.show()
+        palette.line.setFocus()
+
+    def show_guide(self) -> None:
+        """Open the guide, with pictures of what is shown now."""
+        frames = self._window.grid.frames if self._window.display.content else []
+        pictures = [frame.canvas.grab().toImage() for frame in frames]
+        self._help(self.tr("Guide"), HelpPages().guide(pictures))
+
+    def show_shortcuts(self) -> None:
+        """Open the list of keys."""
+        self._help(self.tr("Keys and mouse"), HelpPages().shortcuts(self.all))
+
+    def show_about(self) -> None:
+        """Say what the program is."""
+        self._help(self.tr("About"), HelpPages().about())
+
+    def _help(self, title: str, page: str) -> None:
+        HelpDialog(self._window, title, page).show()
+
+    def _list_recent(self) -> None:
+        self.recent.clear()
+        for pair in settings.recent_pairs():
+            action = self.recent.addAction(" – ".join(path.name for path in pair))
+            action.setToolTip("\n".join(map(str, pair)))
+            action.triggered.connect(lambda _=False, p=pair: self._window.session.open(p))
+        if self.recent.isEmpty():
+            self.recent.addAction(self.tr("Nothing yet")).setEnabled(False)
+        else:
+            self.recent.addSeparator()
+            forget = self.recent.addAction(self.tr("Forget these"))
+            forget.triggered.connect(lambda _=False: settings.forget_pairs())
+
     def _choose(self, title: str, several: bool) -> list[Path]:
         globs = " ".join("*" + ending for ending in ENDINGS.split())
         kinds = self.tr("Surfaces ({})").format(globs)
@@ -137,7 +186,9 @@ class Actions(QObject):
 
     def toggle_dark(self) -> None:
         """Switch."""
-        self._window.display.change(dark=not self._window.display.state.dark)
+        dark = not self._window.display.state.dark
+        settings.remember_dark(dark)
+        self._window.display.change(dark=dark)
 
     def _add(self, menu: QMenu, text: str, work: Callable[[], object], keys: str = "") -> QAction:
         action = QAction(text, self._window)

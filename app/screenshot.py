@@ -4,8 +4,9 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from PySide6.QtCore import QSize, QTimer
+from PySide6.QtCore import QSettings, QSize, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.views.studio import Pictures
@@ -28,6 +29,9 @@ def screenshot(
     app = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(app, QApplication)
     app.setStyle("Fusion")
+    folder = TemporaryDirectory(prefix="surfcmp-")
+    # as at a first start, and without a trace
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, folder.name)
     window = MainWindow()
     window.resize(size or QSize(1400, 1000))
     window.show()
@@ -56,6 +60,7 @@ def screenshot(
     QTimer.singleShot(1000 * SECONDS, app.quit)
     window.actions_of.begin(paths)
     app.exec()
+    folder.cleanup()
     return any(done)
 
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app import settings
 from app.actions import Actions
 from app.controllers.display import Display
 from app.icons import icon
@@ -72,9 +73,8 @@ class MainWindow(QMainWindow):
         column.addWidget(self.banner)
         column.addWidget(self.pages, 1)
         self.setCentralWidget(middle)
-        self.grid.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.grid.setFocus()
         self.toolbar = Toolbar()
+        self.toolbar.setObjectName("toolbar")
         self.addToolBar(self.toolbar)
         self.measures = MeasuresPanel()
         self.scale = ScalePanel()
@@ -100,7 +100,11 @@ class MainWindow(QMainWindow):
         self.statusBar().setSizeGripEnabled(False)
         self.display = Display(self.grid)
         self.actions_of = Actions(self)
-        self.dress(dark=False)
+        self.display.change(dark=settings.dark_wanted())
+        self.dress(self.display.state.dark)
+        geometry, arrangement = settings.window_layout()
+        self.restoreGeometry(geometry)
+        self.restoreState(arrangement)
         self.ended = True
 
     def start(self) -> None:
@@ -152,6 +156,7 @@ class MainWindow(QMainWindow):
 
     @override
     def closeEvent(self, event: QCloseEvent) -> None:
+        settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
         self.ended = self.session.runner.close(CLOSING_SECONDS)
         self.display.close()

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.model.view_state import ViewState
 from app.numbers import short
@@ -14,6 +14,18 @@ from app.scene.pick import place_at, point_at, reading_at
 from app.views.canvas import Label
 from app.views.grid import ViewGrid
 from app.views.studio import Pictures, Studio, Wish
+
+ARROWS = {
+    int(Qt.Key.Key_Left): (-1, 0),
+    int(Qt.Key.Key_Right): (1, 0),
+    int(Qt.Key.Key_Up): (0, 1),
+    int(Qt.Key.Key_Down): (0, -1),
+}
+ZOOMS = {
+    int(Qt.Key.Key_Plus): 1.15,
+    int(Qt.Key.Key_Equal): 1.15,
+    int(Qt.Key.Key_Minus): 1 / 1.15,
+}
 
 REST_MILLISECONDS = 140
 """The camera rests when it has not moved for so long."""
@@ -36,6 +48,7 @@ class Display(QObject):
         self._camera = Camera()
         self._rest = QTimer(self, singleShot=True, interval=REST_MILLISECONDS)
         self._rest.timeout.connect(self.draw)
+        grid.pressed = self.press
         for view, frame in enumerate(grid.frames):
             canvas = frame.canvas
             canvas.turned.connect(self._turn)
@@ -100,6 +113,20 @@ class Display(QObject):
         """Have the views drawn sharply."""
         self._rest.stop()
         self._wish(moving=False)
+
+    def press(self, key: int, shifted: bool) -> bool:
+        """Move the camera by a key; say whether the key means anything."""
+        right, up = ARROWS.get(key, (0, 0))
+        if right or up:
+            if shifted or not self.state.relief:
+                self._move(lambda camera: camera.panned(-0.05 * right, -0.05 * up))
+            else:
+                self._turn(0.12 * right, 0.12 * up)
+            return True
+        if key in ZOOMS:
+            self._zoom(ZOOMS[key], 0.0, 0.0)
+            return True
+        return False
 
     def warm_up(self) -> None:
         """Have the drawing thread load what it needs while the core is still at work."""

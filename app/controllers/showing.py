@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from app import settings
 from app.jobs.comparing import Compared
 from app.model.view_state import Heatmap, Scale, ViewState
 from app.numbers import thousands
@@ -83,7 +84,9 @@ class Showing(QObject):
         scale = replace(window.display.state.scale, tolerances=result.document.options.tolerances)
         if not scale.pinned and result.document.paths != self._fitted:
             scale = replace(scale, limit=fitting_limit(content.distributions.absolute))
-        self._fitted = result.document.paths
+        self._fitted = one, two = result.document.paths
+        if one and two:
+            settings.remember_pair((one, two))
         window.display.change(scale=scale)
         if window.pages.currentWidget() is not window.grid:
             window.pages.setCurrentWidget(window.grid)

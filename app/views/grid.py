@@ -1,7 +1,10 @@
 """The four views side by side; any of them can fill the place."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import override
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.theme import UNIT, Theme, theme
@@ -15,6 +18,10 @@ class ViewGrid(QWidget):
 
     def __init__(self, names: Sequence[str]) -> None:
         super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(self.tr("Views"))
+        self.pressed: Callable[[int, bool], bool] | None = None
+        """Told each key and whether Shift is down; says whether the key means anything."""
         self.frames = [ViewFrame(k + 1, name) for k, name in enumerate(names)]
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -24,6 +31,12 @@ class ViewGrid(QWidget):
         for line in range(2):
             layout.setRowStretch(line, 1)
             layout.setColumnStretch(line, 1)
+
+    @override
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if self.pressed is None or not self.pressed(event.key(), shifted):
+            super().keyPressEvent(event)
 
     def fill(self, view: int | None) -> None:
         """Let one view have all the place; None shows the four."""

@@ -1,6 +1,7 @@
 """What the tests of the window share: a screen, and a window that is surely closed."""
 
 import os
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,10 +11,13 @@ if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
 from app.window import MainWindow
 from tests.window.builders import comparison_of, hills
+
+QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, tempfile.mkdtemp())
 
 PATIENCE = 60_000
 """Milliseconds to wait for a comparison: kernels may have to be compiled first."""
@@ -22,6 +26,7 @@ PATIENCE = 60_000
 @pytest.fixture
 def window(qtbot: QtBot) -> Iterator[MainWindow]:
     """Give an empty window on the screen."""
+    QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, "surfcmp", "window").clear()
     window = MainWindow()
     qtbot.addWidget(window)
     window.resize(1000, 700)

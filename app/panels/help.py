@@ -1,0 +1,154 @@
+"""The guide, the list of shortcuts, and what the program is for."""
+
+from collections.abc import Sequence
+from html import escape
+from importlib.metadata import version
+
+from PySide6.QtCore import QBuffer, QIODevice, Qt
+from PySide6.QtGui import QAction, QImage
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+
+from app.panels.palette import plain
+from app.theme import UNIT
+
+PICTURE_WIDTH = 420
+
+
+class HelpDialog(QDialog):
+    """A page to read; it does not block the window."""
+
+    def __init__(self, parent: QWidget, title: str, page: str) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(title)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(84 * UNIT, 80 * UNIT)
+        self.page = QTextBrowser()
+        self.page.setAccessibleName(title)
+        self.page.document().setDocumentMargin(2 * UNIT)
+        self.page.setHtml(page)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.close)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(UNIT, UNIT, UNIT, UNIT)
+        column.addWidget(self.page)
+        column.addWidget(buttons)
+
+
+class HelpPages(QWidget):
+    """Writes the pages; a widget only for its translations."""
+
+    def guide(self, pictures: Sequence[QImage]) -> str:
+        """Return the guide, with pictures of the four views as they are now."""
+        views = [
+            (
+                self.tr("Surface 1 and surface 2"),
+                self.tr(
+                    "The two surfaces as they were measured, each with the triangulation of its"
+                    " own nodes. Pale places have no data."
+                ),
+            ),
+            None,
+            (
+                self.tr("United triangulation"),
+                self.tr(
+                    "One triangulation over the nodes of both. Where nodes of both mix, triangles"
+                    " form chains, each in its own colour: closed ones are warm, open ones cool."
+                    " Where nodes of one surface are alone, they lie in its quiet colour."
+                ),
+            ),
+            (
+                self.tr("Difference"),
+                self.tr(
+                    "How far surface 1 lies above surface 2 (or, as absolute difference, from it)."
+                    " Grey was not compared. The colours' range stays as you set it."
+                ),
+            ),
+        ]
+        parts = [f"<h2>{self.tr('Compare two surfaces')}</h2>", "<p>"]
+        parts.append(
+            self.tr(
+                "Drop two files on the window, or one on a surface's place. The four views turn"
+                " together: drag to turn, drag with the right button to move, wheel to zoom,"
+                " double-click to let one view fill the window."
+            )
+        )
+        parts.append("</p>")
+        for k, view in enumerate(views):
+            if view is not None:
+                parts.append(f"<h3>{view[0]}</h3><p>{view[1]}</p>")
+            if k < len(pictures):
+                parts.append(f"<p>{_picture(pictures[k])}</p>")
+        parts += [
+            f"<h3>{self.tr('Can I trust the colour?')}</h3><p>",
+            self.tr(
+                "Choose the trust map: green triangles rest on nodes of both surfaces; the others"
+                " were filled in for one of the two. Coverage, in the line at the bottom, says how"
+                " much of each surface was compared."
+            ),
+            f"</p><h3>{self.tr('Which number?')}</h3><p>",
+            self.tr(
+                "Mean |d|, the 95th percentile and the share within a tolerance can be compared"
+                " between pairs. The paper's sums fall when a scan is thinned, whatever the"
+                " surfaces do. The signed mean flatters: above and below cancel. Every number"
+                " says what it means when the mouse rests on it."
+            ),
+            f"</p><h3>{self.tr('Look closer')}</h3><p>",
+            self.tr(
+                "Click a place to read its values; K keeps the label. Drag over the histogram to"
+                " light up a range of differences. Click a chain in its table to fly there."
+            ),
+            "</p>",
+        ]
+        return "".join(parts)
+
+    def shortcuts(self, actions: Sequence[QAction]) -> str:
+        """Return the list of keys."""
+        rows = [
+            f"<tr><td style='padding:3px 24px 3px 0'>{escape(plain(action))}</td><td><b>"
+            f"{escape(action.shortcut().toString(action.shortcut().SequenceFormat.NativeText))}"
+            "</b></td></tr>"
+            for action in actions
+            if not action.shortcut().isEmpty()
+        ]
+        mouse = (
+            (self.tr("Turn (relief) or move (map)"), self.tr("drag")),
+            (self.tr("Move"), self.tr("drag with the right button, or Shift and drag")),
+            (self.tr("Zoom at the pointer"), self.tr("wheel")),
+            (self.tr("Values of a place"), self.tr("click")),
+            (self.tr("One view alone, and back"), self.tr("double-click")),
+            (self.tr("Turn, move, zoom by keys"), self.tr("arrows, Shift and arrows, + and −")),
+        )
+        rows += [
+            f"<tr><td style='padding:3px 24px 3px 0'>{what}</td><td><b>{how}</b></td></tr>"
+            for what, how in mouse
+        ]
+        return f"<h2>{self.tr('Keys and mouse')}</h2><table>{''.join(rows)}</table>"
+
+    def about(self) -> str:
+        """Return what the program is, and what it is not."""
+        return (
+            f"<h2>surfcmp {version('surfcmp')}</h2><p>"
+            + self.tr(
+                "Compares two surfaces z = F(x, y) given on unstructured grids of different"
+                " density, after the paper “Measures for Surface Comparison on Unstructured Grids"
+                " with Different Density”."
+            )
+            + "</p><p>"
+            + self.tr(
+                "For research and teaching. It is not a medical device and must not be used to"
+                " decide on the treatment of a patient. Nothing leaves this machine."
+            )
+            + "</p><p>"
+            + self.tr("MIT licence. Colour maps: F. Crameri, Scientific colour maps.")
+            + "</p>"
+        )
+
+
+def _picture(image: QImage) -> str:
+    """Return an image as a part of a page."""
+    small = image.scaledToWidth(PICTURE_WIDTH, Qt.TransformationMode.SmoothTransformation)
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    small.save(buffer, "PNG")  # type: ignore[call-overload]
+    data = bytes(buffer.data().toBase64().data()).decode("ascii")
+    return f"<img src='data:image/png;base64,{data}'>"
