@@ -73,6 +73,10 @@ class Pair:
         return float(area_of(cut(*hulls)))
 
 
+def near(value: Any, rel: float) -> Any:
+    return pytest.approx(value, rel=rel, abs=0.0)
+
+
 def exact(nodes: Floats) -> list[Vector]:
     return [(Fraction(x), Fraction(y)) for x, y in nodes.tolist()]
 
@@ -324,10 +328,10 @@ def random_pair(seed: int, n1: int, n2: int, offset: float = 0.0, shrink: float 
 def test_areas_fill_what_both_hulls_cover(n1: int, n2: int, offset: float, shrink: float) -> None:
     pair = random_pair(0, n1, n2, offset, shrink)
     values, found = pair.measure()
-    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11)
-    assert np.nansum(values.area) == pytest.approx(found.area_compared, rel=1e-13)
+    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11, abs=0.0)
+    assert np.nansum(values.area) == near(found.area_compared, 1e-13)
     volume = np.nansum(values.area * values.mean_abs)
-    assert volume == pytest.approx(found.volume_above + found.volume_below, rel=1e-13)
+    assert volume == near(found.volume_above + found.volume_below, 1e-13)
 
 
 def test_tiny_cluster_on_a_long_edge() -> None:
@@ -337,7 +341,9 @@ def test_tiny_cluster_on_a_long_edge() -> None:
     cluster[:, :2] = np.array([3.1, 3.45]) + 1e-9 * (cluster[:, :2] - 0.5)
     for clouds in ((kite, cluster), (cluster, kite)):
         pair = Pair(*clouds)
-        assert pair.measure()[1].area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-12)
+        assert pair.measure()[1].area_compared == pytest.approx(
+            pair.hulls_in_common(), rel=1e-12, abs=0.0
+        )
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.5, 0.25])
@@ -347,7 +353,7 @@ def test_lattices(shift: float) -> None:
     two = one - np.array([shift, shift, 0.25])
     pair = Pair(one, two)
     _, found = pair.measure()
-    assert found.area_compared == pytest.approx((11.0 - shift) ** 2, rel=1e-13)
+    assert found.area_compared == near((11.0 - shift) ** 2, 1e-13)
     if shift == 0.0:
         assert found.mean_signed == found.mean_abs == found.max_abs == found.p50 == 0.25
 
@@ -387,10 +393,10 @@ def test_exchange_changes_signs_only() -> None:
         *(np.column_stack([g.nodes, g.z]) for g in reversed(pair.grids)),
     )
     _, exchanged = other.measure()
-    assert exchanged.mean_signed == pytest.approx(-found.mean_signed, rel=1e-12)
-    assert exchanged.volume_above == pytest.approx(found.volume_below, rel=1e-12)
+    assert exchanged.mean_signed == near(-found.mean_signed, 1e-12)
+    assert exchanged.volume_above == near(found.volume_below, 1e-12)
     for key in ("area_compared", "mean_abs", "rms", "max_abs", "rho_V", "rho_delta_V", "p90"):
-        assert getattr(exchanged, key) == pytest.approx(getattr(found, key), rel=1e-12), key
+        assert getattr(exchanged, key) == near(getattr(found, key), 1e-12), key
 
 
 def test_unit_of_length_is_a_power_of_two() -> None:
@@ -446,4 +452,4 @@ def test_monte_carlo_over_both_hulls(shared: Path, a: str, b: str) -> None:
     _, found = pair.measure()
     volume = found.volume_above + found.volume_below
     assert abs(volume - known[a, b]["int_abs"]) <= 4.0 * known[a, b]["se"]
-    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11)
+    assert found.area_compared == pytest.approx(pair.hulls_in_common(), rel=1e-11, abs=0.0)
