@@ -22,11 +22,23 @@ from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
 
 
+_SQUARABLE = 500
+"""Between 2**-500 and 2**500 areas are told without over- or underflow."""
+
+
 def _explained(progress: Progress) -> Progress:
     """Say so where the first use of the program compiles its kernels, which takes its time."""
     if kernels_are_ready():
         return progress
     return lambda stage, share: progress(f"{stage} (compiling, on first use only)", share)
+
+
+def _check_areas(box: tuple[float, float, float, float]) -> None:
+    """Refuse coordinates whose squares over- or underflow."""
+    largest = max(map(abs, box))
+    if not 2.0**-_SQUARABLE < largest < 2.0**_SQUARABLE:
+        word = "large" if largest > 1.0 else "small"
+        raise InputError(f"coordinates up to {largest:.3g} are too {word} to give areas")
 
 
 def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
@@ -117,6 +129,7 @@ def compare(
     with clock.stage("triangulate", 0.0):
         placed = _placed(surface_1, view), _placed(surface_2, motion)
         box = box_of(*placed)
+        _check_areas(box)
         grids = both(lambda s: grid_of(s, duplicates=duplicates, box=box), *placed, threads)
         scale = safe_scale(grids[0].nodes, grids[1].nodes)
         triangulations = both(
@@ -191,7 +204,7 @@ def compare(
         node_weight = None
         if weight is not None:
             node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
-        footprints = footprint_1.area / scale / scale, footprint_2.area / scale / scale
+        footprints = [side.area(domain, scaled) / scale / scale for side in sides]
         values, measures = measure(
             united.nodes,
             united.label,

@@ -10,7 +10,7 @@ from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
 from surfcmp_core.grid import Grid
 from surfcmp_core.interpolation import interpolate
-from surfcmp_core.measures import LinearSurface
+from surfcmp_core.measures import LinearSurface, triangle_areas
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import leaving_edges
 from surfcmp_core.united import United
@@ -100,6 +100,13 @@ class Side:
             hints,
             ask_centroids=domain == "data",
         )
+
+    def area(self, domain: Domain, united: United) -> float:
+        """Area over which the surface is known: its data, its hull, or all of T."""
+        if domain == "data":
+            return self.footprint.area
+        t = self.footprint.triangulation if domain == "hull" else united
+        return float(triangle_areas(t.nodes, t.triangles).sum())
 
     def linear(self, domain: Domain) -> LinearSurface:
         """Give F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""

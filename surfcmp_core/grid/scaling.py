@@ -29,7 +29,8 @@ def safe_scale(*nodes: NDArray[np.float64]) -> float:
     Raises
     ------
     InputError
-        Where the coordinates span more powers of two than any scaling could bring in.
+        Where the coordinates span more powers of two than any scaling could bring in, or no
+        power of two that is a float64 does.
     """
     largest = -math.inf
     smallest = math.inf
@@ -42,9 +43,11 @@ def safe_scale(*nodes: NDArray[np.float64]) -> float:
     if largest <= _LARGEST and smallest >= _SMALLEST:
         return 1.0
     shift = _LARGEST - int(largest)
+    if shift > 1023:
+        raise InputError(f"coordinates below 2^{int(largest)} are too small to be compared exactly")
     if smallest + shift < _SMALLEST:
         raise InputError(
             "coordinates span too many magnitudes to be compared exactly: "
             f"2^{int(smallest) + 53} to 2^{int(largest)}"
         )
-    return math.ldexp(1.0, shift) if shift < 1000 else math.inf
+    return math.ldexp(1.0, shift)
