@@ -102,6 +102,8 @@ def compare_surfaces(
 
     surfaces, warnings = _in_one_unit(surfaces)
     motion, alignment = _alignment(surfaces, settings.align, progress)
+    if settings.align == "icp" and not alignment["converged"]:
+        warnings += ("--align icp: the best fit has not settled; check the alignment",)
     asked = {
         "weight": None if settings.weight is None else str(settings.weight),
         "align": alignment,
