@@ -40,7 +40,7 @@ OutOption = Annotated[
     list[Path] | None,
     typer.Option("--out", metavar="FILE", help="Write the table; repeatable. Endings: .csv .json"),
 ]
-_COLUMNS = ("mean_abs", "p95", "rms", "mean_signed", "coverage_1", "coverage_2", "rho_V")
+_COLUMNS = ("mean_abs", "p95", "coverage_1", "coverage_2")
 
 
 @ending
