@@ -40,7 +40,10 @@ def _apart(nodes: NDArray[np.float64], one: NDArray[np.int32], other: NDArray[np
 def _height(
     nodes: NDArray[np.float64], z: NDArray[np.float64], face: NDArray[np.int32], x: float, y: float
 ) -> float:
-    """Height of a triangle over a place in it; within its own range, however thin it is."""
+    """Height of a triangle over a place in it: exact at its nodes, within their range always."""
+    for i in range(3):
+        if nodes[face[i], 0] == x and nodes[face[i], 1] == y:
+            return float(z[face[i]])
     total = 0.0
     height = 0.0
     for i in range(3):
