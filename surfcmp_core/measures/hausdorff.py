@@ -13,30 +13,41 @@ _BATCH = 4096
 def _bounds(
     points_1: NDArray[np.float64],
     points_2: NDArray[np.float64],
-    near: NDArray[np.int32],
+    triangles: NDArray[np.int32],
+    found: NDArray[np.int32],
     bound: NDArray[np.float64],
 ) -> None:
-    for i in range(near.size):
-        j = near[i]
-        dx = points_1[i, 0] - points_2[j, 0]
-        dy = points_1[i, 1] - points_2[j, 1]
-        bound[i] = np.hypot(np.hypot(dx, dy), points_1[i, 2] - points_2[j, 2])
+    for i in range(found.size):
+        bound[i] = np.inf
+        for k in range(3):
+            j = triangles[found[i], k]
+            if j >= 0:
+                dx = points_1[i, 0] - points_2[j, 0]
+                dy = points_1[i, 1] - points_2[j, 1]
+                dz = points_1[i, 2] - points_2[j, 2]
+                bound[i] = min(bound[i], np.sqrt(dx * dx + dy * dy + dz * dz))
 
 
 def hausdorff(
-    points_1: NDArray[np.float64], points_2: NDArray[np.float64], near: NDArray[np.int32]
+    points_1: NDArray[np.float64],
+    points_2: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    found: NDArray[np.int32],
 ) -> float:
     """Largest distance from a node of surface 1 to the nearest node of surface 2.
 
-    A node close by, whichever, bounds a node's distance from above. The nodes with the largest
-    bounds are looked up first; those whose bound is below the largest distance found need none.
+    The corners of the triangle in which a node lies bound its distance from above. The nodes with
+    the largest bounds are looked up first; those whose bound is below the largest distance found
+    need none.
 
     Parameters
     ----------
     points_1, points_2 : (n1, 3), (n2, 3) float64
         x, y, z of the nodes, at least one of each.
-    near : (n1,) int32
-        For each node of 1 a node of 2 that is near it.
+    triangles : (m, 3) int32
+        Triangles between nodes of 2, -1 for none.
+    found : (n1,) int32
+        For each node of 1 a triangle that is near it.
 
     Returns
     -------
@@ -46,7 +57,7 @@ def hausdorff(
     from scipy.spatial import cKDTree
 
     bound = np.empty(len(points_1))
-    _bounds(points_1, points_2, near, bound)
+    _bounds(points_1, points_2, triangles, found, bound)
     tree = cKDTree(points_2, balanced_tree=False, compact_nodes=False)
     largest = 0.0
     while bound.size:

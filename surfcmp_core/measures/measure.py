@@ -6,13 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
+from surfcmp_core.measures.chunks import over_chunks
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.totals import (
+    Part,
     TriangleValues,
     add_piece,
     add_triangle,
     measures_from,
     power_of_two_above,
+    refuse_senseless,
     zero_sums,
 )
 from surfcmp_core.measures.triangle_area import triangle_area
@@ -37,6 +40,8 @@ def _subtract(
 
 @kernel
 def _pass(
+    begin: int,
+    end: int,
     nodes: NDArray[np.float64],
     label: NDArray[np.uint8],
     triangles: NDArray[np.int32],
@@ -51,7 +56,7 @@ def _pass(
     means_signed: NDArray[np.float64],
     sums: NDArray[np.float64],
 ) -> tuple[int, float]:
-    """Fill in values and sums.
+    """Fill in values and sums of triangles begin..end-1.
 
     The difference comes in units that make it at most 1; values leave in the input's, sums stay.
     Return the first triangle without positive area or without difference (-1: none), and the
@@ -59,7 +64,7 @@ def _pass(
     """
     largest = 0.0
     triangle_sums = np.zeros(len(sums))
-    for t in range(len(triangles)):
+    for t in range(begin, end):
         if not compared[t]:
             areas[t] = np.nan
             means_abs[t] = np.nan
@@ -102,6 +107,7 @@ def measure(
     footprint_1: float,
     footprint_2: float,
     hausdorff: tuple[float, float],
+    threads: int = 1,
 ) -> tuple[TriangleValues, Measures]:
     """Measure the difference d = z1 − z2, linear on each triangle (the nodal reading).
 
@@ -130,6 +136,8 @@ def measure(
         Area in the plane over which each surface has data.
     hausdorff : (float, float)
         `Measures.hausdorff_1_2` and `Measures.hausdorff_2_1`.
+    threads : int
+        How many may work at once; the results do not depend on it.
 
     Returns
     -------
@@ -144,35 +152,39 @@ def measure(
         Where a compared triangle has no positive area or touches a node without data, or a
         tolerance is negative or NaN.
     """
-    sums = zero_sums(tolerances)
+    refuse_senseless(tolerances)
     difference = np.empty(len(nodes))
     unit = power_of_two_above(_subtract(z1, z2, difference))
     difference /= unit
     count = len(triangles)
     values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
-    nowhere = np.empty(0)
-    faulty, largest = _pass(
-        nodes,
-        label,
-        triangles,
-        difference,
-        compared,
-        np.array(tolerances, dtype=np.float64) / unit,
-        nowhere if node_weight is None else node_weight,
-        nowhere if triangle_weight is None else triangle_weight,
-        unit,
-        values.area,
-        values.mean_abs,
-        values.mean_signed,
-        sums,
-    )
-    if faulty >= 0:
-        raise ValueError(f"triangle {faulty} lacks area or data and cannot be compared")
-    del difference
+
+    def work(begin: int, end: int) -> Part:
+        sums = zero_sums(tolerances)
+        faulty, largest = _pass(
+            begin,
+            end,
+            nodes,
+            label,
+            triangles,
+            difference,
+            compared,
+            np.array(tolerances, dtype=np.float64) / unit,
+            np.empty(0) if node_weight is None else node_weight,
+            np.empty(0) if triangle_weight is None else triangle_weight,
+            unit,
+            values.area,
+            values.mean_abs,
+            values.mean_signed,
+            sums,
+        )
+        if faulty >= 0:
+            raise ValueError(f"triangle {faulty} lacks area or data and cannot be compared")
+        return Part(sums, largest)
+
     return values, measures_from(
-        sums,
+        over_chunks(work, count, threads),
         values,
-        largest,
         unit,
         tolerances=tolerances,
         footprint_1=footprint_1,

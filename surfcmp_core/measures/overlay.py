@@ -8,15 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
+from surfcmp_core.measures.chunks import over_chunks
 from surfcmp_core.measures.clipping import MOST_CORNERS, cut_by_triangle, value_at
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.overlap import overlapped
 from surfcmp_core.measures.totals import (
+    Part,
     TriangleValues,
     add_piece,
     add_triangle,
     measures_from,
     power_of_two_above,
+    refuse_senseless,
     zero_sums,
 )
 from surfcmp_core.measures.triangle_integrals import mean_abs_weighted, ordered
@@ -25,7 +28,6 @@ from surfcmp_core.triangulation.half_edges import leaving_edges
 from surfcmp_core.united import United
 
 _BOTH = 3
-_AT_ONCE = 1 << 16
 _SLIVER = 1e-13
 """Share of a triangle's area that may be the rounding of two edges that only touch."""
 
@@ -64,10 +66,6 @@ class _Side(NamedTuple):
     found: NDArray[np.int32]
     z: NDArray[np.float64]
     valid: NDArray[np.bool_]
-    triangles: NDArray[np.int32]
-    """Scratch for what `overlapped` finds."""
-    edges: NDArray[np.int32]
-    """The same."""
 
 
 def _side(
@@ -92,8 +90,6 @@ def _side(
         found,
         surface.z,
         surface.valid,
-        np.empty(t.real, np.int32),
-        np.empty(t.real, np.int32),
     )
 
 
@@ -124,6 +120,8 @@ def _overlapped(
     a: int,
     b: int,
     c: int,
+    found_triangles: NDArray[np.int32],
+    found_edges: NDArray[np.int32],
 ) -> int:
     return overlapped(
         side.nodes,
@@ -137,8 +135,8 @@ def _overlapped(
         a,
         b,
         c,
-        side.triangles,
-        side.edges,
+        found_triangles,
+        found_edges,
     )
 
 
@@ -164,6 +162,10 @@ def _pass(
 
     Nodes are in units of `length`, sums in units of `unit`.
     """
+    triangles_1 = np.empty(side_1.real, np.int32)
+    triangles_2 = np.empty(side_2.real, np.int32)
+    edges_1 = np.empty(side_1.real, np.int32)
+    edges_2 = np.empty(side_2.real, np.int32)
     corners = np.empty((3, 2))
     corners_1 = np.empty((3, 2))
     corners_2 = np.empty((3, 2))
@@ -193,25 +195,25 @@ def _pass(
             polygons[0, k, 1] = corners[k, 1]
             if len(node_weight):
                 weights[k] = node_weight[v]
-        count_1 = _overlapped(side_1, nodes, a, b, c)
-        count_2 = _overlapped(side_2, nodes, a, b, c) if count_1 > 0 else 0
+        count_1 = _overlapped(side_1, nodes, a, b, c, triangles_1, edges_1)
+        count_2 = 0
+        if count_1 > 0:
+            count_2 = _overlapped(side_2, nodes, a, b, c, triangles_2, edges_2)
         for i in range(count_1):
-            t_1 = side_1.triangles[i]
+            t_1 = triangles_1[i]
             if not side_1.valid[t_1]:
                 continue
             _fetch(side_1, t_1, x, y, length, corners_1, z_1, numbers_1)
-            part, in_part = cut_by_triangle(
-                polygons, 0, 3, corners_1, numbers_1, side_1.edges[i], 1, 2
-            )
+            part, in_part = cut_by_triangle(polygons, 0, 3, corners_1, numbers_1, edges_1[i], 1, 2)
             if in_part < 3:
                 continue
             for j in range(count_2):
-                t_2 = side_2.triangles[j]
+                t_2 = triangles_2[j]
                 if not side_2.valid[t_2]:
                     continue
                 _fetch(side_2, t_2, x, y, length, corners_2, z_2, numbers_2)
                 piece, in_piece = cut_by_triangle(
-                    polygons, part, in_part, corners_2, numbers_2, side_2.edges[j], 3, 4
+                    polygons, part, in_part, corners_2, numbers_2, edges_2[j], 3, 4
                 )
                 for k in range(in_piece):
                     px, py = polygons[piece, k, 0], polygons[piece, k, 1]
@@ -268,6 +270,7 @@ def measure_exactly(
     footprint_1: float,
     footprint_2: float,
     hausdorff: tuple[float, float],
+    threads: int = 1,
     progress: Callable[[float], None] | None = None,
 ) -> tuple[TriangleValues, Measures]:
     """Measure the difference of two functions, each linear on its own triangles.
@@ -291,6 +294,8 @@ def measure_exactly(
         Area in the plane over which each surface has data.
     hausdorff : (float, float)
         `Measures.hausdorff_1_2` and `Measures.hausdorff_2_1`.
+    threads : int
+        How many may work at once; the results do not depend on it.
     progress : callable, optional
         Called now and then with the share done; may raise to cancel.
 
@@ -308,7 +313,7 @@ def measure_exactly(
     ValueError
         Where a tolerance is negative or NaN.
     """
-    sums = zero_sums(tolerances)
+    refuse_senseless(tolerances)
     side_1 = _side(surface_1, len(united.nodes), united.node_1, united.node_2)
     side_2 = _side(surface_2, len(united.nodes), united.node_2, united.node_1)
     z_1, z_2 = surface_1.z, surface_2.z
@@ -317,13 +322,12 @@ def measure_exactly(
     )
     count = len(united.triangles)
     values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
-    largest = 0.0
-    for begin in range(0, count, _AT_ONCE):
-        if progress is not None:
-            progress(begin / count)
-        found = _pass(
+
+    def work(begin: int, end: int) -> Part:
+        sums = zero_sums(tolerances)
+        largest = _pass(
             begin,
-            min(begin + _AT_ONCE, count),
+            end,
             united.nodes,
             united.label,
             united.triangles,
@@ -338,11 +342,11 @@ def measure_exactly(
             values.mean_signed,
             sums,
         )
-        largest = max(largest, found)
+        return Part(sums, largest)
+
     return values, measures_from(
-        sums,
+        over_chunks(work, count, threads, progress),
         values,
-        largest,
         unit,
         tolerances=tolerances,
         footprint_1=footprint_1,

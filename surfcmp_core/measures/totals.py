@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,21 +40,23 @@ class TriangleValues:
     """(M,) mean of d over the triangle."""
 
 
-def zero_sums(tolerances: Sequence[float]) -> NDArray[np.float64]:
-    """Make the sums to begin with, each in two parts.
+class Part(NamedTuple):
+    """What some of the triangles of T contribute."""
 
-    Parameters
-    ----------
-    tolerances : sequence of float
-        Lengths.
+    sums: NDArray[np.float64]
+    """(k, 2) as `zero_sums` makes them, filled by `add_triangle`."""
+    largest: float
+    """Largest |d|."""
 
-    Raises
-    ------
-    ValueError
-        Where a tolerance is negative or NaN.
-    """
+
+def refuse_senseless(tolerances: Sequence[float]) -> None:
+    """Raise ValueError where a tolerance is negative or NaN."""
     if not all(tolerance >= 0.0 for tolerance in tolerances):
         raise ValueError("a tolerance is negative or not a number")
+
+
+def zero_sums(tolerances: Sequence[float]) -> NDArray[np.float64]:
+    """Make the sums to begin with, (k, 2) float64, each in two parts."""
     return np.zeros((_WITHIN + len(tolerances), 2))
 
 
@@ -133,9 +136,8 @@ def _ratio(part: float, whole: float) -> float:
 
 
 def measures_from(
-    sums: NDArray[np.float64],
+    parts: Sequence[Part],
     values: TriangleValues,
-    largest: float,
     unit: float,
     *,
     tolerances: Sequence[float],
@@ -147,14 +149,12 @@ def measures_from(
 
     Parameters
     ----------
-    sums : (k, 2) float64
-        Filled by `add_piece` and `add_triangle`.
+    parts : sequence of Part
+        All triangles of T.
     values : TriangleValues
         For the percentiles.
-    largest : float
-        Largest |d|.
     unit : float
-        Length in which `sums` and `largest` are.
+        Length in which the parts are.
     tolerances, footprint_1, footprint_2, hausdorff
         As for :func:`surfcmp_core.measures.measure`.
 
@@ -163,7 +163,9 @@ def measures_from(
     Measures
         Where no triangle is compared, sums are 0 and means, percentiles and shares NaN.
     """
-    total = sums.sum(axis=1).tolist()
+    terms = np.concatenate([zero_sums(tolerances), *(part.sums for part in parts)], axis=1)
+    total = [math.fsum(row) for row in terms.tolist()]
+    largest = max((part.largest for part in parts), default=0.0)
     area, area_interface = total[_AREA], total[_AREA_INTERFACE]
     compared = ~np.isnan(values.area)
     if compared.all():

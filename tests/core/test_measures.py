@@ -345,6 +345,15 @@ def test_many_equal_terms_add_up_exactly() -> None:
     assert found.area_compared == 100_000 * (0.5 * (0.1 * 0.1))
 
 
+def test_threads_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    case = random_case(11, side=20)
+    values, found = case.measure()
+    monkeypatch.setattr("surfcmp_core.measures.chunks._AT_ONCE", 50)
+    other_values, other = case.measure(threads=3)
+    assert numbers(other) == numbers(found)
+    assert np.array_equal(other_values.mean_abs, values.mean_abs, equal_nan=True)
+
+
 def test_nothing_compared() -> None:
     case = random_case()
     case.compared[:] = False
@@ -418,8 +427,9 @@ def test_hausdorff_against_all_pairs(n1: int, n2: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     one, two = rng.normal(size=(n1, 3)), rng.normal(size=(n2, 3))
     distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    near = rng.integers(0, n2, n1).astype(np.int32)
-    found = hausdorff(one, two, near)
+    triangles = rng.integers(0, n2, (5, 3)).astype(np.int32)
+    triangles[0, 2] = -1
+    found = hausdorff(one, two, triangles, rng.integers(0, 5, n1).astype(np.int32))
     assert found == pytest.approx(distance.min(axis=1).max())
 
 
@@ -427,5 +437,5 @@ def test_hausdorff_of_more_nodes_than_a_batch() -> None:
     rng = np.random.default_rng(0)
     one, two = rng.normal(size=(9000, 3)), rng.normal(size=(50, 3))
     distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    found = hausdorff(one, two, np.zeros(9000, np.int32))
+    found = hausdorff(one, two, np.zeros((1, 3), np.int32), np.zeros(9000, np.int32))
     assert found == pytest.approx(distance.min(axis=1).max())

@@ -414,8 +414,9 @@ def test_triangles_may_be_taken_a_few_at_once(monkeypatch: pytest.MonkeyPatch) -
     pair = random_pair(6, 30, 30)
     _, found = pair.measure()
     shares: list[float] = []
-    monkeypatch.setattr("surfcmp_core.measures.overlay._AT_ONCE", 7)
+    monkeypatch.setattr("surfcmp_core.measures.chunks._AT_ONCE", 7)
     assert pair.measure(progress=shares.append)[1] == found
+    assert pair.measure(threads=3)[1] == found
     assert shares == sorted(shares)
     assert 0.9 < shares[-1] < 1.0
 
