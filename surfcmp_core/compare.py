@@ -162,8 +162,8 @@ def compare(
             )
         with clock.stage("measures"):
             points = [np.column_stack((grid.nodes, grid.z)) for grid in grids]
-            near = triangulations[this].start[3 * found]
-            farthest = hausdorff(points[other], points[this], near)
+            triangles = triangulations[this].start.reshape(-1, 3)
+            farthest = hausdorff(points[other], points[this], triangles, found)
         with clock.stage("interpolate"):
             limit = None if max_edge is None else max_edge * scale
             footprint = footprint_of(grids[this], triangulations[this], ends[this], limit)
