@@ -101,4 +101,4 @@ def seen(samples: Samples, direction: NDArray[np.float64]) -> tuple[float, float
     by_piece = np.zeros(int(samples.pieces.max()) + 1)
     shadow = _seen(samples.places, samples.normals, samples.areas, samples.pieces, axes, by_piece)
     areas = np.bincount(samples.pieces, samples.areas)
-    return float(((by_piece / areas) ** _WHOLE @ areas)), shadow
+    return float((by_piece / areas) ** _WHOLE @ areas), shadow
