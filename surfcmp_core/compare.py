@@ -11,6 +11,7 @@ from surfcmp_core.domain import Footprint, Reason, reasons
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interface import kernels_are_ready
+from surfcmp_core.io.facts import folded_share
 from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
@@ -20,7 +21,6 @@ from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
-
 
 _SQUARABLE = 500
 """Between 2**-500 and 2**500 areas are told without over- or underflow."""
@@ -49,6 +49,11 @@ def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
     return replace(surface, points=surface.points @ motion[:3, :3].T + motion[:3, 3])
 
 
+def _folding(surface: Surface) -> list[str]:
+    share = folded_share(surface)
+    return [f"{100.0 * share:.3g} % of the area, seen along z, folds over"] if share else []
+
+
 def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
     return tuple(
         f"{surface.name}: {note}"
@@ -56,6 +61,7 @@ def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
         for note in (
             *(f"{count} {what}" for what, count in surface.changed.items()),
             *(["the file states no unit; mm is assumed"] if surface.unit is None else []),
+            *_folding(surface),
         )
     )
 

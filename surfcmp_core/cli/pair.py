@@ -110,9 +110,7 @@ def compare_surfaces(
         "project": settings.project,
     }
     placement = None
-    if settings.project == "z":
-        warnings += _folds(surfaces)
-    else:
+    if settings.project != "z":
         from surfcmp_core.placement import place
 
         view: View = "auto" if settings.project == "auto" else view_of(settings.project)
@@ -141,18 +139,6 @@ def compare_surfaces(
         comparison = replace(comparison, surfaces=(first, second), transform=placement.motions[1])
     comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
     return comparison, make_document(comparison, asked)
-
-
-def _folds(surfaces: tuple[Surface, Surface]) -> tuple[str, ...]:
-    """Warn of meshes that are not one-valued along z."""
-    from surfcmp_core.io.facts import _folded
-
-    shares = ((surface.name, _folded(surface)) for surface in surfaces)
-    return tuple(
-        f"{name}: {100 * share:.3g} % of the mesh, seen along z, folds over (see --project)"
-        for name, share in shares
-        if share
-    )
 
 
 def _in_one_unit(

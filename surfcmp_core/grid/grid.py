@@ -28,7 +28,8 @@ class Grid:
     source : (n,) int64
         Row of the surface's `points` each node came from (the first of merged ones).
     faces : (m, 3) int32 or None
-        The model's own triangles in node numbers, as the file turns them; None for a cloud.
+        The model's own triangles in node numbers, as the file turns them, without those that
+        merging made lines; None for a cloud.
     merged : int
         Nodes of the surface merged into another one of equal (x, y).
     keys : (n,) uint64
@@ -155,6 +156,8 @@ def grid_of(
             np.arange(len(starts), dtype=np.int32), np.diff(np.append(starts, len(nodes)))
         )
         faces = number[surface.faces]
+        a, b, c = faces.T
+        faces = faces[(a != b) & (b != c) & (c != a)]  # those that stood upright are lines now
     return Grid(nodes[source], values, source, faces, merged, keys[source], surface.name)
 
 

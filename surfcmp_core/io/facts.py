@@ -64,7 +64,7 @@ def facts_of(surface: Surface) -> Facts:
         changed=dict(surface.changed),
         repeated=repeated,
         contradicting=contradicting,
-        folded=_folded(surface),
+        folded=folded_share(surface),
     )
 
 
@@ -80,7 +80,18 @@ def _duplicates(surface: Surface) -> tuple[int, int]:
     return int(same.sum()), int(torn[place].sum())
 
 
-def _folded(surface: Surface) -> float:
+def folded_share(surface: Surface) -> float:
+    """Give the share of a mesh's projected area that is turned against the rest.
+
+    Parameters
+    ----------
+    surface : Surface
+
+    Returns
+    -------
+    float
+        0 for a cloud and for a mesh that is one-valued along z.
+    """
     if surface.faces is None:
         return 0.0
     xy = surface.points[:, :2]

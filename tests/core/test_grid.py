@@ -6,6 +6,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from surfcmp_core.compare import compare
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale
 from surfcmp_core.surface import Surface
@@ -197,3 +198,13 @@ def test_any_input_is_made_safe_or_refused(x: float, y: float) -> None:
 @given(st.floats(-1e-230, 1e-230), st.floats(-1e-230, 1e-230))
 def test_tiny_input_is_made_safe_or_refused(x: float, y: float) -> None:
     _check_any(x, y)
+
+
+def test_upright_faces_are_left_out() -> None:
+    corners = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [4, 0, 2]]
+    faces = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 2]], np.int32)
+    box = Surface(np.array(corners, np.float64), faces, name="box", unit="mm")
+    found = grid_of(box, duplicates="max").faces
+    assert found is not None
+    assert len(found) == 2
+    assert compare(box, box, duplicates="max", threads=1).measures.mean_abs == 0.0
