@@ -17,6 +17,18 @@ from app.scene.scene import VIEWS
 if TYPE_CHECKING:
     from app.window import MainWindow
 
+KINDS = {
+    ".html": "Report as a page",
+    ".pdf": "Report on paper",
+    ".png": "Map of the difference",
+    ".csv": "Triangles as a table",
+    ".vtp": "Mesh with values for ParaView",
+    ".ply": "Mesh with values",
+    ".npz": "Arrays for NumPy",
+    ".json": "Result as data",
+}
+"""What can be exported, by ending."""
+SESSION = ".surfcmp"
 ENDINGS = ".ply .obj .stl .off .vtp .vtk .xyz .txt .csv .npy .npz .las .laz"
 
 
@@ -35,6 +47,20 @@ class Actions(QObject):
         self._add(file, self.tr("Open the &sample faces"), self.open_sample)
         self.recent = file.addMenu(self.tr("&Recent"))
         self.recent.aboutToShow.connect(self._list_recent)
+        file.addSeparator()
+        saving = self.tr("&Save the session…")
+        self._add(file, saving, lambda: window.sessions.ask_save(), "Ctrl+S")
+        self._add(file, self.tr("Open a session…"), lambda: window.sessions.ask_open())
+        self.export = file.addMenu(self.tr("&Export"))
+        for ending, name in KINDS.items():
+            keys = "Ctrl+P" if ending == ".html" else ""
+            text = f"{self.tr(name)} ({ending})…"
+            self._add(self.export, text, partial(self._export, ending), keys)
+        views = self.tr("Picture of the views (.png)…")
+        self._add(self.export, views, lambda: window.exporting.ask_views())
+        self.export.addSeparator()
+        self.hide = self._add(self.export, self.tr("Hide names and paths"), self._hide_names)
+        self.hide.setCheckable(True)
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
@@ -60,11 +86,11 @@ class Actions(QObject):
         self.view_menu.addSeparator()
         for dock in window.docks:
             self.view_menu.addAction(dock.toggleViewAction())
-        keys = bar.addMenu(self.tr("&Help"))
-        self._add(keys, self.tr("&Guide"), self.show_guide, "F1")
-        self._add(keys, self.tr("&Keys and mouse"), self.show_shortcuts, "?")
-        self._add(keys, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
-        self._add(keys, self.tr("&About"), self.show_about)
+        about = bar.addMenu(self.tr("&Help"))
+        self._add(about, self.tr("&Guide"), self.show_guide, "F1")
+        self._add(about, self.tr("&Keys and mouse"), self.show_shortcuts, "?")
+        self._add(about, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
+        self._add(about, self.tr("&About"), self.show_about)
 
     def begin(self, paths: list[Path]) -> None:
         """Open what the command named, or the sample."""
@@ -76,7 +102,9 @@ class Actions(QObject):
     def take(self, paths: list[Path]) -> None:
         """Take in dropped files; one file asks where it belongs if both places are taken."""
         session = self._window.session
-        if len(paths) > 2:
+        if len(paths) == 1 and paths[0].suffix == SESSION:
+            self._window.sessions.open(paths[0])
+        elif len(paths) > 2:
             text = self.tr("Two surfaces at a time, please: {} files were dropped")
             self._window.banner.tell(text.format(len(paths)))
         elif len(paths) == 1 and session.document.complete:
@@ -172,6 +200,12 @@ class Actions(QObject):
             action = self.question.addAction(self.tr("Use as surface {}").format(number))
             action.triggered.connect(lambda _=False, n=number: self._window.session.open([path], n))
         self.question.popup(QCursor.pos())
+
+    def _export(self, ending: str) -> None:
+        self._window.exporting.ask(ending)
+
+    def _hide_names(self) -> None:
+        self._window.exporting.hide_names = self.hide.isChecked()
 
     def _fill(self, view: int | None) -> None:
         self._window.display.change(filled=view)

@@ -55,6 +55,7 @@ def screenshot(
         settled.start()
 
     window.start()
+    window.sessions.autosave = Path(folder.name) / "autosave"
     window.display.shown.connect(shown)
     window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
     QTimer.singleShot(1000 * SECONDS, app.quit)

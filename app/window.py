@@ -35,7 +35,9 @@ from app.theme import UNIT, qt_palette, style_sheet, theme
 from app.views.grid import ViewGrid
 
 if TYPE_CHECKING:
+    from app.controllers.exporting import Exporting
     from app.controllers.session import Session
+    from app.controllers.sessions import Sessions
     from app.controllers.showing import Showing
 
 CLOSING_SECONDS = 0.5
@@ -47,6 +49,8 @@ class MainWindow(QMainWindow):
 
     session: "Session"
     showing: "Showing"
+    exporting: "Exporting"
+    sessions: "Sessions"
 
     def __init__(self) -> None:
         super().__init__()
@@ -109,12 +113,16 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Load the core and tie it to the window, which is on the screen by then."""
+        from app.controllers.exporting import Exporting
         from app.controllers.session import Session
+        from app.controllers.sessions import Sessions
         from app.controllers.showing import Showing
 
         self.display.warm_up()
         self.session = Session()
         self.showing = Showing(self)
+        self.exporting = Exporting(self)
+        self.sessions = Sessions(self)
 
     def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
         """Dock a panel at the right."""
@@ -158,7 +166,9 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
-        self.ended = self.session.runner.close(CLOSING_SECONDS)
+        self.sessions.close()
+        self.ended = self.exporting.runner.close(CLOSING_SECONDS)
+        self.ended &= self.session.runner.close(CLOSING_SECONDS)
         self.display.close()
         super().closeEvent(event)
 
@@ -173,7 +183,8 @@ def run(paths: list[Path]) -> int:
     window.show()
     app.processEvents()  # the window is seen while the core is loaded
     window.start()
-    window.actions_of.begin(paths)
+    if paths or not window.sessions.offer_recovery():
+        window.actions_of.begin(paths)
     status = app.exec()
     if not window.ended:  # a kernel cannot be stopped half way; nothing is left to be saved
         sys.stdout.flush()

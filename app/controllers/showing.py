@@ -95,6 +95,7 @@ class Showing(QObject):
         window.chains.show_chains(content.chains, self.unit)
         window.status.setText(self._summary(content))
         window.display.set_content(content)
+        window.sessions.apply_state(result.document)
         names = " – ".join(path.name for path in result.document.paths if path)
         window.setWindowTitle(f"{names} – surfcmp")
         if comparison.warnings:

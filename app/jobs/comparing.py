@@ -93,7 +93,7 @@ def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[s
     if motion != NOT_MOVED:
         record["options"]["align"] = {
             "method": motion.method,
-            "residual": None if np.isnan(motion.residual) else motion.residual,
+            "residual": motion.residual,
             "inliers": motion.pairs,
             "matrix": [list(row) for row in motion.matrix],
         }

@@ -28,15 +28,15 @@ class Motion:
         In the files' coordinates.
     method : str
         In words, for reports.
-    residual : float
-        Root mean square distance that was left, in the input's unit; NaN where unknown.
+    residual : float or None
+        Root mean square distance that was left, in the input's unit; None where unknown.
     pairs : int
         Pairs of places it was found from.
     """
 
     matrix: Matrix = IDENTITY
     method: str = "none"
-    residual: float = float("nan")
+    residual: float | None = None
     pairs: int = 0
 
 

@@ -44,6 +44,11 @@ class ViewTitle(QWidget):
         row.addWidget(self._fact, 1)
         row.addWidget(self.button)
 
+    @property
+    def text(self) -> str:
+        """The view's name."""
+        return self._name.text()
+
     def set_texts(self, name: str, fact: str) -> None:
         """Show the view's name and a fact beside it."""
         self._name.setText(name)

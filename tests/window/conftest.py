@@ -24,7 +24,7 @@ PATIENCE = 60_000
 
 
 @pytest.fixture
-def window(qtbot: QtBot) -> Iterator[MainWindow]:
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     """Give an empty window on the screen."""
     QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, "surfcmp", "window").clear()
     window = MainWindow()
@@ -32,6 +32,7 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     window.resize(1000, 700)
     window.show()
     window.start()
+    window.sessions.autosave = tmp_path / "state" / "autosave.surfcmp"
     window.activateWindow()
     qtbot.waitActive(window)
     yield window
