@@ -44,7 +44,7 @@ def load(path: Path) -> Pair:
 
 def distinct(nodes: Nodes) -> Nodes:
     """Return rows without repetitions, in no particular order."""
-    nodes = np.asarray(nodes, np.float64).reshape(-1, 2) + 0.0
+    nodes = np.asarray(nodes, np.float64).reshape(-1, 2)
     order = np.lexsort((nodes[:, 1], nodes[:, 0]))
     placed = nodes[order]
     fresh = np.ones(len(placed), bool)

@@ -1,5 +1,8 @@
 """The united triangulation against the triangulation of the union, family by family of pairs."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -47,6 +50,20 @@ def test_merging_larger_grids(family: str) -> None:
     for seed in range(2000, 2006):
         pair = pair_of(family, seed, most=600)
         check_unchanged(pair, check_pair(pair), np.random.default_rng(seed))
+
+
+def test_merging_interpreted() -> None:
+    """Where indices out of range and overflowing integers do not pass in silence."""
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "tests.fuzz", "--pairs", "96", "--seed", "7"],
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "96 pairs" in done.stdout
 
 
 @pytest.mark.parametrize("path", FIXTURES, ids=lambda path: path.stem)
