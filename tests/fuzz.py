@@ -4,8 +4,8 @@
 comes first, or never where neither is given. Each failing pair, made as small as simple removal
 makes it, is written to the folder of fixtures; then the exit status is 1.
 
-With NUMBA_BOUNDSCHECK=1, and NUMBA_CACHE_DIR set to an empty folder, a kernel that leaves its arrays
-is a failure too.
+With NUMBA_BOUNDSCHECK=1, and NUMBA_CACHE_DIR set to an empty folder, a kernel that leaves its
+arrays is a failure too.
 """
 
 import argparse
