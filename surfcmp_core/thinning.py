@@ -65,18 +65,18 @@ def thin_to_spacing(surface: Surface, spacing: float, *, seed: int = 0) -> Surfa
     """
     if not (np.isfinite(spacing) and spacing > 0.0):
         raise InputError(f"{surface.name}: cannot thin to a spacing of {spacing:g}")
-    points = surface.points - surface.points.min(axis=0)
+    from_corner = surface.points - surface.points.min(axis=0)
     # cells at least a spacing wide, and no more of them along an axis than a key can count
-    cell = max(spacing, float(points.max(initial=0.0)) / 2.0**20)
-    places = (points / cell).astype(np.int64) + 1
+    cell = max(spacing, float(from_corner.max(initial=0.0)) / 2.0**20)
+    places = (from_corner / cell).astype(np.int64) + 1
     keys = (places[:, 0] << 42) | (places[:, 1] << 21) | places[:, 2]
     cells, cell_of = np.unique(keys, return_inverse=True)
     steps = np.arange(-1, 2)
     around = ((steps[:, None, None] << 42) + (steps[:, None] << 21) + steps).ravel()
     beside = np.searchsorted(cells, cells[:, None] + around)
     beside[cells[np.minimum(beside, len(cells) - 1)] != cells[:, None] + around] = -1
-    order = np.random.default_rng(seed).permutation(len(points))
-    return _kept(surface, np.flatnonzero(_spread(points, order, cell_of, beside, spacing)))
+    order = np.random.default_rng(seed).permutation(len(from_corner))
+    return _kept(surface, np.flatnonzero(_spread(surface.points, order, cell_of, beside, spacing)))
 
 
 def _kept(surface: Surface, nodes: NDArray[np.int64]) -> Surface:

@@ -263,3 +263,18 @@ def test_real_face_against_a_thinned_noisy_copy(shared, degrees):
     angle, distance = left_over(found.matrix, motion, centre)
     assert angle <= 0.05
     assert distance <= 0.05
+
+
+def test_borders_of_real_scans_do_not_draw(shared):
+    # with partners on borders allowed, twice as much is left over
+    face = scan(shared, "face_avg_f18")
+    rng = np.random.default_rng(9)
+    y = face.points[face.faces, 1]
+    upper = replace(face, faces=face.faces[(y > -20.0).all(axis=1)])
+    noisy = face.points + rng.normal(size=face.points.shape) * 0.15
+    lower = replace(face, points=noisy, faces=face.faces[(y < 20.0).all(axis=1)])
+    centre = face.points.mean(axis=0)
+    motion = any_motion(rng, 5.0, 5.0, centre)
+    angle, distance = left_over(best_fit(upper, moved(lower, motion)).matrix, motion, centre)
+    assert angle < 0.04
+    assert distance < 0.02

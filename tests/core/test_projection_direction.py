@@ -121,8 +121,14 @@ def test_cloud_is_seen_along_the_normal_of_its_plane_from_above():
     points = rng.normal(size=(500, 3)) * [5.0, 3.0, 0.01]
     direction = viewing_direction(Surface(points))
     assert angle(direction, np.array([0.0, 0.0, 1.0])) < 1.0
-    upside_down = moved(Surface(points), np.diag([1.0, -1.0, -1.0, 1.0]))
-    assert viewing_direction(upside_down)[2] > 0.9
+    for seed in range(8):
+        motion = any_motion(np.random.default_rng(seed), 20.0 * seed, 5.0, np.zeros(3))
+        found = viewing_direction(moved(Surface(points), motion))
+        assert found[2] > 0.0
+        assert abs(found @ motion[:3, :3] @ direction) > 1.0 - 1e-9
+    for axis in (1, 0):  # upright: +y then +x is above
+        upright = Surface(np.roll(points * [1.0, 1.0, 0.0], axis - 2, axis=1))
+        assert viewing_direction(upright)[axis] > 0.9
 
 
 def test_mesh_speaks_for_the_cloud_beside_it():

@@ -77,6 +77,7 @@ def test_spacing_keeps_distance_and_leaves_no_gap(spacing):
 def test_spacing_far_below_the_extent():
     points = np.array([[0.0, 0, 0], [1e-9, 0, 0], [1e9, 0, 0], [-1e9, 5, 0]])
     assert len(thin_to_spacing(Surface(points), 1e-6).points) == 3
+    assert len(thin_to_spacing(Surface(points), 1e-12).points) == 4
 
 
 @pytest.mark.parametrize("keep", [0.0, -0.1, 1.1, np.nan])
