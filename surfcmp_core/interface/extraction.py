@@ -89,14 +89,14 @@ def _extract(
                 return True
             counters[N_BRIDGES] -= 1
             top = 2 * counters[N_BRIDGES]
-            bridge = stack[top]
+            bridge = int(stack[top])
             done = (words[first_of(bridge) + MARKS] >> (bridge & 3)) & 1
             if events is not None:
                 kind = _DONE if done else _TAKEN
                 note(events, counters, kind, words[bridge], words[following(bridge)])
             if done:
                 continue  # the free node has been traced meanwhile
-            a, b = next_starter(nodes, words, bridge, stack[top + 1], events, counters)
+            a, b = next_starter(nodes, words, bridge, int(stack[top + 1]), events, counters)
         chain = counters[N_CHAINS]
         begin = counters[N_TRIANGLES]
         first[chain] = begin

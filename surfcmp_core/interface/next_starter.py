@@ -9,6 +9,7 @@ from surfcmp_core.interface.joined import TWIN, first_of, following, preceding
 from surfcmp_core.interface.smallest_circle import is_better
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import orientation
+from surfcmp_core.stack import enlarged
 
 _CIRCLE, _WALK, _DISC = int(Event.CIRCLE), int(Event.WALK), int(Event.DISC)
 
@@ -84,7 +85,7 @@ def next_starter(
     over them meets each once. The smallest circle through v and one of their nodes (step (d)) lies
     within the influence circle of the bridge (step (c)): it is empty of both grids.
     """
-    v, u = words[bridge], words[following(bridge)]
+    v, u = int(words[bridge]), int(words[following(bridge)])
     vx, vy = nodes[v, 0], nodes[v, 1]
     ux, uy = nodes[u, 0], nodes[u, 1]
     h = _walk_to_disc(nodes, words, other_corner, v, events, counters)
@@ -95,7 +96,7 @@ def next_starter(
     best = -1
     corner = -1
     for k in range(h, h + 3):
-        d = words[k]
+        d = int(words[k])
         if d >= 0 and (best < 0 or is_better(nodes, vx, vy, ux, uy, best, d)):
             best = d
             corner = k
@@ -105,7 +106,7 @@ def next_starter(
         depth += 1
     while depth > 0:
         depth -= 1
-        h = stack[depth]
+        h = int(stack[depth])
         if events is not None:
             counters[N_TESTS] += 1
         if not disc_holds(nodes, words, h, v):
@@ -113,16 +114,14 @@ def next_starter(
         if events is not None:
             note(events, counters, _DISC, first_of(h), v)
         k = preceding(h)
-        d = words[k]
+        d = int(words[k])
         if d >= 0 and is_better(nodes, vx, vy, ux, uy, best, d):
             best = d
             corner = k
             if events is not None:
                 note(events, counters, _CIRCLE, v, d)
         if depth + 2 > stack.size:
-            larger = np.empty(2 * stack.size, np.int32)
-            larger[:depth] = stack[:depth]
-            stack = larger
+            stack = enlarged(stack)
         stack[depth] = words[k + TWIN]
         stack[depth + 1] = words[following(h) + TWIN]
         depth += 2

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import in_disc, orientation
+from surfcmp_core.stack import enlarged
 from surfcmp_core.triangulation.half_edges import following, preceding
 
 
@@ -134,9 +135,7 @@ def make_delaunay(
             twin[h_last] = k_last
             twin[k_last] = h_last
             if depth + 4 > stack.size:
-                larger = np.empty(2 * stack.size, np.int32)
-                larger[:depth] = stack[:depth]
-                stack = larger
+                stack = enlarged(stack)
             stack[depth] = h
             stack[depth + 1] = h_next
             stack[depth + 2] = k
