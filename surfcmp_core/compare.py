@@ -223,6 +223,7 @@ def compare(
             footprint_1=footprints[0],
             footprint_2=footprints[1],
             hausdorff=(farthest_1, farthest_2),
+            threads=threads,
         )
         exact_values = None
         if exact:
@@ -236,6 +237,7 @@ def compare(
                 footprint_1=footprints[0],
                 footprint_2=footprints[1],
                 hausdorff=(farthest_1, farthest_2),
+                threads=threads,
                 progress=lambda share: progress("exact measures", 0.9 + 0.1 * share),
             )
             measures = replace(measures, exact=exact_measures)

@@ -16,14 +16,16 @@ _SPLITTER = 134217729.0  # 2**27 + 1 cuts a double into two halves of 26 bits
 
 
 @kernel
-def _two_sum(a: float, b: float) -> tuple[float, float]:
+def two_sum(a: float, b: float) -> tuple[float, float]:
+    """Add two doubles: the rounded sum and what rounding dropped."""
     x = a + b
     b_virtual = x - a
     return x, (a - (x - b_virtual)) + (b - b_virtual)
 
 
 @kernel
-def _two_product(a: float, b: float) -> tuple[float, float]:
+def two_product(a: float, b: float) -> tuple[float, float]:
+    """Multiply two doubles: the rounded product and what rounding dropped."""
     x = a * b
     c = _SPLITTER * a
     a_high = c - (c - a)
@@ -37,7 +39,7 @@ def _two_product(a: float, b: float) -> tuple[float, float]:
 @kernel
 def difference(a: float, b: float) -> Expansion:
     """Subtract two doubles exactly."""
-    x, tail = _two_sum(a, -b)
+    x, tail = two_sum(a, -b)
     if tail == 0.0:
         single = np.empty(1)
         single[0] = x
@@ -63,7 +65,7 @@ def add(e: Expansion, f: Expansion) -> Expansion:
         else:
             component = f[j]
             j += 1
-        carry, tail = _two_sum(carry, component)
+        carry, tail = two_sum(carry, component)
         if tail != 0.0:
             out[count] = tail
             count += 1
@@ -78,17 +80,17 @@ def scale(e: Expansion, b: float) -> Expansion:
     """Multiply by a double."""
     out = np.empty(2 * e.size)
     count = 0
-    carry, tail = _two_product(e[0], b)
+    carry, tail = two_product(e[0], b)
     if tail != 0.0:
         out[count] = tail
         count += 1
     for i in range(1, e.size):
-        high, low = _two_product(e[i], b)
-        middle, tail = _two_sum(carry, low)
+        high, low = two_product(e[i], b)
+        middle, tail = two_sum(carry, low)
         if tail != 0.0:
             out[count] = tail
             count += 1
-        carry, tail = _two_sum(high, middle)
+        carry, tail = two_sum(high, middle)
         if tail != 0.0:
             out[count] = tail
             count += 1

@@ -1,7 +1,14 @@
 """On which side of a line a node lies."""
 
 from surfcmp_core.kernel import kernel
-from surfcmp_core.predicates.expansion import difference, leading, multiply, subtract
+from surfcmp_core.predicates.expansion import (
+    difference,
+    leading,
+    multiply,
+    subtract,
+    two_product,
+    two_sum,
+)
 
 _EPSILON = 2.0**-53
 _FILTER = (3.0 + 16.0 * _EPSILON) * _EPSILON
@@ -9,9 +16,19 @@ _FILTER = (3.0 + 16.0 * _EPSILON) * _EPSILON
 
 @kernel
 def _orientation_exact(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> float:
-    left = multiply(difference(ax, cx), difference(by, cy))
-    right = multiply(difference(ay, cy), difference(bx, cx))
-    return leading(subtract(left, right))
+    acx, acx_tail = two_sum(ax, -cx)
+    acy, acy_tail = two_sum(ay, -cy)
+    bcx, bcx_tail = two_sum(bx, -cx)
+    bcy, bcy_tail = two_sum(by, -cy)
+    if acx_tail == 0.0 and acy_tail == 0.0 and bcx_tail == 0.0 and bcy_tail == 0.0:
+        # lattices and rounded coordinates end here: two products of two doubles are compared
+        left, left_tail = two_product(acx, bcy)
+        right, right_tail = two_product(acy, bcx)
+        determinant = (left - right) + (left_tail - right_tail)
+        if determinant != 0.0 or (left == right and left_tail == right_tail):
+            return determinant
+    product = multiply(difference(ax, cx), difference(by, cy))
+    return leading(subtract(product, multiply(difference(ay, cy), difference(bx, cx))))
 
 
 @kernel
