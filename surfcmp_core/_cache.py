@@ -1,35 +1,58 @@
 """Where numba keeps the compiled kernels."""
 
+import hashlib
 import os
+import shutil
+import time
 from pathlib import Path
 
 
-def use_writable_cache() -> None:
-    """Send compiled kernels to the user's cache folder where the package's own is read-only.
+_KEPT = 30 * 24 * 3600.0
+"""Seconds for which kernels of other sources are kept."""
 
-    To be called before numba is first imported. Does nothing where the package can be written (then
-    numba's own place, the `__pycache__` beside each kernel, serves) or where the user has chosen a
-    place by the environment variable NUMBA_CACHE_DIR. Where no folder of the user can be written
-    either, the kernels live in a temporary folder until the process ends.
+
+def use_own_cache() -> None:
+    """Send compiled kernels to a folder of the user's that belongs to these very sources.
+
+    To be called before numba is first imported. Numba looks only at the file of a kernel, not at
+    those of the kernels it calls: beside the sources a changed predicate would leave its callers
+    as they were. Does nothing where the user has chosen a place by the environment variable
+    NUMBA_CACHE_DIR. Where no folder of the user can be written, the kernels live in a temporary
+    folder until the process ends.
     """
-    if "NUMBA_CACHE_DIR" in os.environ or os.access(Path(__file__).parent, os.W_OK):
+    if "NUMBA_CACHE_DIR" in os.environ:
         return
     from platformdirs import user_cache_path
 
-    folder = user_cache_path("surfcmp") / "kernels"
+    kernels = user_cache_path("surfcmp") / "kernels"
+    folder = kernels / _digest()
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        if not folder.is_dir():
+            folder.mkdir(parents=True)
+            _drop_old(kernels)
+        writable = os.access(folder, os.W_OK)
     except OSError:
         writable = False
-    else:
-        writable = os.access(folder, os.W_OK)
     os.environ["NUMBA_CACHE_DIR"] = str(folder) if writable else _temporary_folder()
+
+
+def _digest() -> str:
+    """Name these sources: a change in any of them changes it."""
+    sources = hashlib.sha256()
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
+        sources.update(path.read_bytes())
+    return sources.hexdigest()[:16]
+
+
+def _drop_old(kernels: Path) -> None:
+    for folder in kernels.iterdir():
+        if time.time() - folder.stat().st_mtime > _KEPT:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def _temporary_folder() -> str:
     """Make a folder that only this user can read and that goes with the process."""
     import atexit
-    import shutil
     import tempfile
 
     folder = tempfile.mkdtemp(prefix="surfcmp-kernels-")

@@ -7,9 +7,9 @@ re-association, no contraction), for the predicates are exact only then.
 from collections.abc import Callable
 from typing import Any, cast
 
-from surfcmp_core._cache import use_writable_cache
+from surfcmp_core._cache import use_own_cache
 
-use_writable_cache()  # which numba would not ask about once it is imported
+use_own_cache()  # which numba would not ask about once it is imported
 
 from numba import njit  # noqa: E402
 

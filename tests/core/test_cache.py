@@ -1,7 +1,7 @@
 """Compiled kernels always find a place that can be written."""
 
 import os
-from collections.abc import Callable
+import shutil
 from pathlib import Path
 
 import pytest
@@ -18,33 +18,38 @@ def user_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path / "cache"
 
 
-def read_only_package(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Make the package's folder look read-only, which root would not notice otherwise."""
-    package = Path(_cache.__file__).parent
-    truly: Callable[[Path, int], bool] = os.access
-    monkeypatch.setattr(_cache.os, "access", lambda p, mode: p != package and truly(p, mode))
-
-
-def test_package_that_can_be_written_keeps_them() -> None:
-    _cache.use_writable_cache()
-    assert "NUMBA_CACHE_DIR" not in os.environ
-
-
-def test_read_only_package_sends_them_to_the_user(
+def test_kernels_go_to_the_user_and_belong_to_the_sources(
     monkeypatch: pytest.MonkeyPatch, user_cache: Path
 ) -> None:
-    read_only_package(monkeypatch)
-    _cache.use_writable_cache()
-    assert Path(os.environ["NUMBA_CACHE_DIR"]) == user_cache / "surfcmp" / "kernels"
-    assert (user_cache / "surfcmp" / "kernels").is_dir()
+    _cache.use_own_cache()
+    folder = Path(os.environ.pop("NUMBA_CACHE_DIR"))
+    assert folder.parent == user_cache / "surfcmp" / "kernels"
+    assert folder.is_dir()
+    _cache.use_own_cache()
+    assert Path(os.environ.pop("NUMBA_CACHE_DIR")) == folder
+
+    changed = user_cache / "changed"
+    shutil.copytree(Path(_cache.__file__).parent, changed)
+    monkeypatch.setattr(_cache, "__file__", str(changed / "_cache.py"))
+    with (changed / "predicates" / "orientation.py").open("a") as source:
+        source.write("# changed\n")
+    _cache.use_own_cache()
+    assert Path(os.environ["NUMBA_CACHE_DIR"]) != folder
 
 
-def test_user_without_a_folder_gets_a_temporary_one(
-    monkeypatch: pytest.MonkeyPatch, user_cache: Path
-) -> None:
-    read_only_package(monkeypatch)
+def test_kernels_of_sources_long_gone_are_dropped(user_cache: Path) -> None:
+    old, recent = (user_cache / "surfcmp" / "kernels" / name for name in ("old", "recent"))
+    old.mkdir(parents=True)
+    recent.mkdir()
+    os.utime(old, (0.0, 0.0))
+    _cache.use_own_cache()
+    assert not old.exists()
+    assert recent.is_dir()
+
+
+def test_user_without_a_folder_gets_a_temporary_one(user_cache: Path) -> None:
     user_cache.write_text("in the way")
-    _cache.use_writable_cache()
+    _cache.use_own_cache()
     folder = Path(os.environ["NUMBA_CACHE_DIR"])
     assert folder.is_dir()
     assert folder.stat().st_mode & 0o077 == 0
@@ -52,7 +57,6 @@ def test_user_without_a_folder_gets_a_temporary_one(
 
 
 def test_choice_of_the_user_stands(monkeypatch: pytest.MonkeyPatch) -> None:
-    read_only_package(monkeypatch)
     monkeypatch.setenv("NUMBA_CACHE_DIR", "/somewhere")
-    _cache.use_writable_cache()
+    _cache.use_own_cache()
     assert os.environ["NUMBA_CACHE_DIR"] == "/somewhere"
