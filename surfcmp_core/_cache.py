@@ -6,7 +6,6 @@ import shutil
 import time
 from pathlib import Path
 
-
 _KEPT = 30 * 24 * 3600.0
 """Seconds for which kernels of other sources are kept."""
 
