@@ -67,7 +67,10 @@ class Display(QObject):
     def set_content(self, content: Content | None) -> None:
         """Show another comparison; the camera stays where the box is much the same."""
         old, self.content = self.content, content
-        self.state = replace(self.state, picked=None, probes=(), chain=None, brush=None)
+        if old is None or content is None or old.geometry is not content.geometry:
+            nothing = ViewState()
+            names = ("picked", "probes", "chain", "brush", "section")
+            self.state = replace(self.state, **{name: getattr(nothing, name) for name in names})
         if content is not None and (old is None or not _alike(old, content)):
             self._camera = home(content.geometry, self._aspect(), self.state.relief)
         self.changed.emit()

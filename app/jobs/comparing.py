@@ -9,7 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from app.jobs.regions import RegionMeasures, measured_regions, weighted
+from app.jobs.regions import (
+    RegionMeasures,
+    measured_regions,
+    region_of,
+    weighted,
+    with_tolerances,
+)
 from app.model.document import NOT_MOVED, Document
 from app.scene.content import Content, content_of
 from surfcmp_core.comparison import Comparison
@@ -24,7 +30,7 @@ class Compared:
     Attributes
     ----------
     comparison : Comparison
-        As the command line gives it, before any region's weight.
+        As the command line gives it, before any region's weight µ.
     record : dict
         The .json result.
     regions : tuple of RegionMeasures
@@ -49,16 +55,37 @@ def compared(document: Document, before: Compared | None, progress: Progress) ->
         If `progress` says so.
     """
     progress("read", 0.0)
-    if before is not None and replace(document, regions=()) == replace(before.document, regions=()):
-        comparison, record = before.comparison, before.record
-        geometry = before.content.geometry
-    else:
-        comparison, record = _compare(document, progress)
-        geometry = None
+    found = None if before is None else _measured_anew(document, before)
+    geometry = None if before is None or found is None else before.content.geometry
+    comparison, record = found or _compare(document, progress)
     progress("picture", 0.98)
-    regions = measured_regions(comparison, document.regions)
-    shown = weighted(comparison, document.regions)
-    return Compared(document, comparison, record, content_of(shown, geometry), regions)
+    regions = document.regions
+    number = region_of(comparison, regions) if regions else None
+    shown = weighted(comparison, regions)
+    colours = [region.colour for region in regions]
+    content = content_of(shown, geometry, number, colours)
+    return Compared(document, comparison, record, content, measured_regions(comparison, regions))
+
+
+def _measured_anew(
+    document: Document, before: Compared
+) -> tuple[Comparison, dict[str, Any]] | None:
+    """Return the comparison where nothing changed but tolerances and regions, else None."""
+    old = before.document
+    tolerances = document.options.tolerances
+    options = replace(old.options, tolerances=tolerances)
+    if replace(old, options=options, regions=document.regions) != document:
+        return None
+    if old.options == document.options:
+        return before.comparison, before.record
+    if document.options.exact:
+        return None
+    comparison = with_tolerances(before.comparison, tolerances)
+    from surfcmp_core.report import make_document
+
+    kept = before.record["options"]
+    asked = {key: kept[key] for key in ("weight", "align", "project", "view") if key in kept}
+    return comparison, make_document(comparison, asked)
 
 
 def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[str, Any]]:

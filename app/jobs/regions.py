@@ -82,6 +82,12 @@ def weighted(comparison: Comparison, regions: tuple[Region, ...]) -> Comparison:
     return replace(comparison, measures=replace(measures, exact=comparison.measures.exact))
 
 
+def with_tolerances(comparison: Comparison, tolerances: tuple[float, ...]) -> Comparison:
+    """Return the comparison measured with other tolerances (nodal reading)."""
+    comparison = replace(comparison, options=replace(comparison.options, tolerances=tolerances))
+    return replace(comparison, measures=_measure(comparison, comparison.compared))
+
+
 def _measure(
     comparison: Comparison,
     mine: NDArray[np.bool_],

@@ -68,4 +68,6 @@ class ViewState:
     """The chain that stands out from the others."""
     brush: tuple[float, float] | None = None
     """The range of differences that stands out; the others fade."""
+    section: tuple[float, float, float, float] | None = None
+    """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
     dark: bool = False

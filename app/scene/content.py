@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from app.scene.chain_table import ChainTable, chain_table
+from app.scene.colour_maps import Rgb
 from app.scene.distribution import Distributions, distributions_of
 from app.scene.geometry import Geometry, geometry_of
+from app.scene.lines import borders_of
 
 if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
@@ -22,14 +28,28 @@ class Content:
     distributions: Distributions
     chains: ChainTable
     counts: dict[str, int]
+    borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
+    """Sides of T around each region, and its colour."""
 
 
-def content_of(comparison: Comparison, geometry: Geometry | None = None) -> Content:
-    """Return the comparison ready to be shown; `geometry` where it is known."""
+def content_of(
+    comparison: Comparison,
+    geometry: Geometry | None = None,
+    region: NDArray[np.int32] | None = None,
+    colours: Sequence[Rgb] = (),
+) -> Content:
+    """Return the comparison ready to be shown; `geometry` where it is known.
+
+    `region` gives each triangle's region (-1: none), `colours` those of the regions.
+    """
+    borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
+    if region is not None:
+        borders = borders_of(comparison.united.triangles, region, list(colours))
     return Content(
         comparison,
         geometry or geometry_of(comparison),
         distributions_of(comparison),
         chain_table(comparison),
         comparison.counts,
+        borders,
     )

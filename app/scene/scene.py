@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 from app.model.view_state import Heatmap, Scale, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
-from app.scene.geometry import Geometry, Patch
+from app.scene.geometry import Patch
+from app.scene.lines import Segments, lines_of
 from app.scene.palette import Palette, palette
 from app.scene.values import Trust, values_of
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
+    from app.scene.content import Content
     from surfcmp_core.comparison import Comparison
 
 VIEWS = 4
@@ -44,8 +46,9 @@ class MeshLayer:
         Lit by the relief's normals, also on the map.
     edges : bool
         The triangles' sides are drawn where they are large enough to see.
-    outline : (k, 2, 3) float32
-        Segments drawn over everything: what is picked or chosen.
+    lines : (k, 2, 3) float32
+        Segments drawn over everything.
+    line_colours : (k, 3) uint8
     """
 
     patch: Patch
@@ -53,7 +56,8 @@ class MeshLayer:
     relief: bool
     shaded: bool
     edges: bool
-    outline: NDArray[np.float32]
+    lines: Segments
+    line_colours: Colours
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,11 +68,9 @@ class Scene:
     palette: Palette
 
 
-NOTHING = np.zeros((0, 2, 3), dtype=np.float32)
-
-
-def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Scene:
+def scene_of(content: Content, state: ViewState) -> Scene:
     """Return what the four views show."""
+    comparison, geometry = content.comparison, content.geometry
     quiet = palette(state.dark)
     colours: list[Colours | Rgb] = [
         surface_colours(geometry.patches[0], quiet.surface_1, state.dark),
@@ -77,7 +79,7 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
         heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark),
     ]
     patches = (*geometry.patches, geometry.patches[2])
-    outline = outline_of(comparison, geometry, state)
+    lines, line_colours = lines_of(content, state, quiet)
     layers = [
         MeshLayer(
             patch=patch,
@@ -85,7 +87,8 @@ def scene_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> Sc
             relief=state.relief,
             shaded=state.relief or view < 2,
             edges=state.edges,
-            outline=outline,
+            lines=lines,
+            line_colours=line_colours,
         )
         for view, (patch, colour) in enumerate(zip(patches, colours, strict=True))
     ]
@@ -158,13 +161,3 @@ def faded(colours: Colours, where: NDArray[np.bool_], towards: Rgb) -> Colours:
     pale = colours[where] * (1 - FADED) + np.array(towards) * FADED
     mixed[where] = np.rint(pale).astype(np.uint8)
     return mixed
-
-
-def outline_of(comparison: Comparison, geometry: Geometry, state: ViewState) -> NDArray[np.float32]:
-    """Return (k, 2, 3) the sides of the picked triangle, just above the surface."""
-    if state.picked is None:
-        return NOTHING
-    corners = geometry.patches[2].points[comparison.united.triangles[state.picked.triangle]].copy()
-    if not state.relief:
-        corners[:, 2] = 0.0
-    return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)

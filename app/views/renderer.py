@@ -60,11 +60,11 @@ class Renderer:
         """Draw next to nothing once, so that the first true picture finds its shaders ready."""
         corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], dtype=np.float32)
         patch = Patch(corner, corner + 1, np.array([[0, 1, 2]], dtype=np.int32), 1.0)
-        outline = np.zeros((1, 2, 3), dtype=np.float32)
+        line = np.zeros((1, 2, 3), dtype=np.float32)
         painted = np.zeros((1, 3), dtype=np.uint8)
         kinds: tuple[Colours | Rgb, ...] = ((0, 0, 0), painted)
         for view, colours in zip(self._views, kinds, strict=False):
-            view.apply(MeshLayer(patch, colours, True, True, True, outline))
+            view.apply(MeshLayer(patch, colours, True, True, True, line, painted))
         tiles = [Tile(view, 16, 16) for view in range(len(self._views))]
         for height in (1.0, 100.0):  # with sides and without
             self.draw(Camera(height=height), tiles, fine=True)
@@ -75,7 +75,7 @@ class Renderer:
         for k, view in enumerate(self._views):
             view.apply(None if scene is None else scene.layers[k])
             if scene is not None:
-                view.colour(scene.palette.background, scene.palette.edge, scene.palette.accent)
+                view.colour(scene.palette.background, scene.palette.edge)
 
     def draw(
         self, camera: Camera, tiles: list[Tile], fine: bool, density: float = 1.0
@@ -154,7 +154,7 @@ class _View:
 
     def apply(self, layer: MeshLayer | None) -> None:
         old, self._layer = self._layer, layer
-        self._lines.SetVisibility(layer is not None and len(layer.outline) > 0)
+        self._lines.SetVisibility(layer is not None and len(layer.lines) > 0)
         if layer is None:
             for data in (self._data, self._coarse_data):
                 data.Initialize()
@@ -175,12 +175,12 @@ class _View:
                 self._coarse_data.SetPolys(_cells(coarse.triangles))
         if fresh or old is None or old.colours is not layer.colours:
             self._paint(layer)
-        if old is None or old.outline is not layer.outline:
-            ends = np.ascontiguousarray(layer.outline.reshape(-1, 3), dtype=np.float32)
+        if old is None or old.lines is not layer.lines:
+            ends = np.ascontiguousarray(layer.lines.reshape(-1, 3), dtype=np.float32)
             self._line_data.SetPoints(_points(ends))
             pairs = np.arange(len(ends), dtype=np.int32).reshape(-1, 2)
             self._line_data.SetLines(_cells(pairs))
-            self._line_data.Modified()
+            _paint(self._lines, self._line_data, layer.line_colours)
         self._mesh.GetProperty().SetLighting(layer.shaded)
 
     def choose(self, fine: bool) -> None:
@@ -203,10 +203,9 @@ class _View:
         if layer.patch.coarse is not None:
             _paint(self._coarse, self._coarse_data, layer.colours[layer.patch.coarse.source])
 
-    def colour(self, background: Rgb, edge: Rgb, accent: Rgb) -> None:
+    def colour(self, background: Rgb, edge: Rgb) -> None:
         self.renderer.SetBackground(*_unit(background))
         self._mesh.GetProperty().SetEdgeColor(*_unit(edge))
-        self._lines.GetProperty().SetColor(*_unit(accent))
 
     def thicken(self, density: float) -> None:
         self._lines.GetProperty().SetLineWidth(LINE_PIXELS * density)

@@ -96,7 +96,7 @@ class Studio(QObject):
         while (wish := self._next()) is not None:
             fresh = None
             if wish.content is not None:
-                fresh = scene_of(wish.content.comparison, wish.content.geometry, wish.state)
+                fresh = scene_of(wish.content, wish.state)
             renderer.apply(fresh)
             scene = fresh
             if wish.moving:

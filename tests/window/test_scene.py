@@ -4,18 +4,21 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.interpolate import LinearNDInterpolator
 
-from app.model.view_state import Heatmap, Scale, ViewState
+from app.model.view_state import Heatmap, Place, Scale, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.chain_table import chain_box, chain_table
 from app.scene.coarse import coarse_of
 from app.scene.colour_maps import ABOVE, BELOW, WITHIN, banded, colour_map, continuous
+from app.scene.content import content_of
 from app.scene.distribution import distribution_of, distributions_of, fitting_limit
 from app.scene.furniture import colour_bar, legend
 from app.scene.geometry import geometry_of, middle_height
 from app.scene.palette import palette
 from app.scene.scale import round_down, round_up, ticks
 from app.scene.scene import heatmap_colours, scene_of, united_colours
+from app.scene.section import profile_of
 from app.scene.values import Trust, trust_of, values_of
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.triangulation import triangulate
@@ -113,9 +116,9 @@ def test_a_chosen_chain_stands_out(small: Comparison):
 
 
 def test_the_map_and_the_relief_share_their_arrays(small: Comparison):
-    geometry = geometry_of(small)
-    relief = scene_of(small, geometry, STATE)
-    flat = scene_of(small, geometry, replace(STATE, relief=False))
+    content = content_of(small)
+    relief = scene_of(content, STATE)
+    flat = scene_of(content, replace(STATE, relief=False))
     for one, two in zip(relief.layers, flat.layers, strict=True):
         assert one.patch is two.patch
         assert one.relief
@@ -243,10 +246,10 @@ def test_a_cloud_is_pale_beyond_its_longest_edge(clouds):
     from tests.window.builders import comparison_of
 
     comparison = comparison_of(*clouds, hole=25.0)
-    geometry = geometry_of(comparison)
-    data = geometry.patches[1].data
+    content = content_of(comparison)
+    data = content.geometry.patches[1].data
     assert data is not None
-    scene = scene_of(comparison, geometry, STATE)
+    scene = scene_of(content, STATE)
     colours = scene.layers[1].colours
     assert (np.all(colours == palette(False).surface_2, axis=1) == data).all()
 
@@ -264,3 +267,43 @@ def test_a_coarse_patch_keeps_the_outline_and_points_at_the_patch():
     nodes = triangles[coarse.source]
     assert (nodes == coarse.nodes[coarse.triangles[:, :1]]).any(axis=1).all()
     assert coarse_of(points[:100], triangles[:0], hull[:0]) is None
+
+
+@pytest.mark.parametrize("relief", [True, False])
+def test_lines_are_drawn_over_all_views(small: Comparison, relief: bool):
+    from app.jobs.regions import region_of
+    from app.model.region import Region
+
+    region = Region("a", (1, 2, 3), discs=((0.0, 0.0, 20.0),))
+    number = region_of(small, (region,))
+    content = content_of(small, None, number, [(1, 2, 3)])
+    state = replace(
+        STATE, relief=relief, picked=Place(5, (0.2, 0.3, 0.5)), section=(-40.0, 0.0, 40.0, 5.0)
+    )
+    layers = scene_of(content, state).layers
+    assert len(layers[0].lines) == len(layers[0].line_colours) > 3 + 10
+    assert all(layer.lines is layers[0].lines for layer in layers)
+    assert np.isfinite(layers[0].lines).all()
+    assert (np.ptp(layers[0].lines[..., 2]) > 0) == relief
+    border = content.borders[0][0]
+    ends, counts = np.unique(border, return_counts=True)
+    assert (counts % 2 == 0).all()  # closed
+    assert len(ends) > 5
+
+
+def test_a_section_follows_both_surfaces(small: Comparison):
+    line = (-45.0, -30.0, 45.0, 35.0)
+    profile = profile_of(small, line)
+    assert len(profile.along) > 10
+    assert (np.diff(profile.along) > 0).all()
+    towards = np.array([90.0, 65.0]) / np.hypot(90.0, 65.0)
+    places = np.array(line[:2]) + profile.along[:, None] * towards
+    triangulation = LinearNDInterpolator(small.united.nodes, np.stack([small.z1, small.z2], 1))
+    oracle = triangulation(places)
+    known = np.isfinite(oracle).all(axis=1) & np.isfinite(profile.difference)
+    assert known.sum() > 5
+    spread = np.ptp(small.z1[np.isfinite(small.z1)])
+    assert np.median(np.abs(profile.z1 - oracle[:, 0])[known]) < 1e-9 * spread
+    assert np.median(np.abs(profile.z2 - oracle[:, 1])[known]) < 1e-9 * spread
+    assert len(profile_of(small, (900.0, 0.0, 901.0, 0.0)).along) == 0
+    assert len(profile_of(small, (0.0, 0.0, 0.0, 0.0)).along) == 0

@@ -1,0 +1,76 @@
+"""Lines over the surfaces: what is picked, the regions' borders, the section."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.view_state import ViewState
+from app.scene.colour_maps import Colours, Rgb
+from app.scene.palette import Palette
+from app.scene.section import profile_of
+
+if TYPE_CHECKING:
+    from app.scene.content import Content
+
+Segments = NDArray[np.float32]
+"""(k, 2, 3)."""
+
+
+def lines_of(content: Content, state: ViewState, quiet: Palette) -> tuple[Segments, Colours]:
+    """Return the segments to be drawn over all views, and the colour of each."""
+    parts: list[tuple[Segments, Rgb]] = []
+    patch = content.geometry.patches[2]
+    for edges, colour in content.borders:
+        parts.append((patch.points[edges], colour))
+    if state.picked is not None:
+        nodes = patch.triangles[state.picked.triangle]
+        parts.append((patch.points[np.stack([nodes, np.roll(nodes, -1)], axis=1)], quiet.accent))
+    if state.section is not None:
+        parts.append((section_line(content, state), quiet.accent))
+    nothing = np.zeros((0, 2, 3), dtype=np.float32)
+    segments = np.concatenate([nothing, *(part for part, _ in parts)])
+    if not state.relief:
+        segments[..., 2] = 0.0
+    counts = [len(part) for part, _ in parts]
+    colours = np.repeat(
+        np.array([colour for _, colour in parts] or [(0, 0, 0)], dtype=np.uint8),
+        counts or [0],
+        axis=0,
+    )
+    return segments, colours
+
+
+def section_line(content: Content, state: ViewState) -> Segments:
+    """Return the section's line, laid on the middle of the surfaces."""
+    assert state.section is not None
+    x0, y0, x1, y1 = state.section
+    profile = profile_of(content.comparison, state.section)
+    share = profile.along / (np.hypot(x1 - x0, y1 - y0) or 1.0)
+    z1 = np.where(np.isnan(profile.z1), profile.z2, profile.z1)
+    z2 = np.where(np.isnan(profile.z2), profile.z1, profile.z2)
+    z = (z1 + z2) / 2
+    points = np.column_stack([x0 + share * (x1 - x0), y0 + share * (y1 - y0), z])
+    points = points[np.isfinite(z)] - content.geometry.origin
+    if len(points) < 2:
+        return np.zeros((0, 2, 3), dtype=np.float32)
+    return np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
+
+
+def borders_of(
+    triangles: NDArray[np.int32], region: NDArray[np.int32], colours: list[Rgb]
+) -> tuple[tuple[NDArray[np.int32], Rgb], ...]:
+    """Return for each region the sides of triangles (k, 2) between it and what it is not."""
+    if not colours:
+        return ()
+    a, b = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+    owner = np.repeat(region, 3)
+    found = []
+    for k, colour in enumerate(colours):
+        mine = np.flatnonzero(owner == k)
+        low, high = np.minimum(a[mine], b[mine]), np.maximum(a[mine], b[mine])
+        sides, counts = np.unique(np.stack([low, high], axis=1), axis=0, return_counts=True)
+        found.append((np.asarray(sides[counts == 1], dtype=np.int32), colour))
+    return tuple(found)
