@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from surfcmp_core.cli import batch, compare, info
+from surfcmp_core.cli import batch, compare, info, thin
 from surfcmp_core.cli.statuses import INTERRUPTED
 
 commands = typer.Typer(
@@ -23,6 +23,7 @@ commands = typer.Typer(
 commands.command("compare")(compare.command)
 commands.command("batch")(batch.command)
 commands.command("info")(info.command)
+commands.command("thin")(thin.command)
 
 
 def _version(asked: bool) -> None:

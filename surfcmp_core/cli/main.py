@@ -5,7 +5,7 @@ from pathlib import Path
 
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
 
-NAMES = ("compare", "batch", "info")
+NAMES = ("compare", "batch", "info", "thin")
 """The commands; a first argument that is none of them is a file."""
 
 Window = Callable[[list[Path]], int]

@@ -1,0 +1,40 @@
+"""Writing nodes: .ply, .npz and .xyz, every bit kept, as our readers read them."""
+
+from collections.abc import Callable
+from typing import BinaryIO
+
+import numpy as np
+
+from surfcmp_core.surface import Surface
+
+
+def _write_ply(surface: Surface, stream: BinaryIO) -> None:
+    header = [
+        "ply",
+        "format binary_little_endian 1.0",
+        *([f"comment unit {surface.unit}"] if surface.unit else []),
+        f"element vertex {len(surface.points)}",
+        *(f"property double {axis}" for axis in "xyz"),
+        "end_header\n",
+    ]
+    stream.write("\n".join(header).encode())
+    stream.write(surface.points.astype("<f8").tobytes())
+
+
+def _write_npz(surface: Surface, stream: BinaryIO) -> None:
+    stated = {"unit": np.array(surface.unit)} if surface.unit else {}
+    np.savez(stream, points=surface.points, **stated)
+
+
+def _write_xyz(surface: Surface, stream: BinaryIO) -> None:
+    if surface.unit:
+        stream.write(f"# unit {surface.unit}\n".encode())
+    np.savetxt(stream, surface.points, fmt="%.17g")
+
+
+CLOUD_WRITERS: dict[str, Callable[[Surface, BinaryIO], None]] = {
+    ".ply": _write_ply,
+    ".npz": _write_npz,
+    ".xyz": _write_xyz,
+}
+"""Writers of a surface's nodes and unit, by the ending of the file's name."""
