@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QCursor, QKeySequence
 from PySide6.QtWidgets import QFileDialog, QMenu
 
 from app import settings
+from app.model.tool import Tool
 from app.panels.help import HelpDialog, HelpPages
 from app.panels.palette import CommandPalette
 from app.scene.scene import VIEWS
@@ -84,6 +85,16 @@ class Actions(QObject):
         keep = self.tr("Keep the label")
         self._add(self.view_menu, keep, lambda: window.showing.keep_probe(), "K")
         self.view_menu.addSeparator()
+        tools = ((Tool.LOOK, "V"), (Tool.LASSO, "L"), (Tool.BRUSH, "B"), (Tool.SECTION, "S"))
+        names_of = {
+            Tool.LOOK: self.tr("Look around"),
+            Tool.LASSO: self.tr("Draw around a region"),
+            Tool.BRUSH: self.tr("Paint a region"),
+            Tool.SECTION: self.tr("Draw a section"),
+        }
+        for tool, keys in tools:
+            self._add(self.view_menu, names_of[tool], partial(window.display.use, tool), keys)
+        self.view_menu.addSeparator()
         for dock in window.docks:
             self.view_menu.addAction(dock.toggleViewAction())
         about = bar.addMenu(self.tr("&Help"))
@@ -137,6 +148,7 @@ class Actions(QObject):
         if self._window.session.runner.busy:
             self._window.session.runner.cancel()
         else:
+            self._window.display.use(Tool.LOOK)
             self._window.display.change(chain=None, picked=None, brush=None)
 
     def swap_surfaces(self) -> None:

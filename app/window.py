@@ -21,21 +21,25 @@ from PySide6.QtWidgets import (
 from app import settings
 from app.actions import Actions
 from app.controllers.display import Display
-from app.icons import icon
+from app.panels.alignment import AlignmentPanel
 from app.panels.banner import Banner
 from app.panels.chains import ChainsPanel
 from app.panels.empty import EmptyState
 from app.panels.measures import MeasuresPanel
+from app.panels.options import OptionsPanel
 from app.panels.probes import ProbesPanel
 from app.panels.progress import ProgressStrip
+from app.panels.regions import RegionsPanel
 from app.panels.scale import ScalePanel
+from app.panels.section import SectionPanel
 from app.panels.toolbar import Toolbar
-from app.panels.widgets import DockTitle
 from app.theme import UNIT, qt_palette, style_sheet, theme
 from app.views.grid import ViewGrid
 
 if TYPE_CHECKING:
+    from app.controllers.alignment import Alignment
     from app.controllers.exporting import Exporting
+    from app.controllers.regions import Regions
     from app.controllers.session import Session
     from app.controllers.sessions import Sessions
     from app.controllers.showing import Showing
@@ -50,6 +54,8 @@ class MainWindow(QMainWindow):
     session: "Session"
     showing: "Showing"
     exporting: "Exporting"
+    regions_of: "Regions"
+    alignment_of: "Alignment"
     sessions: "Sessions"
 
     def __init__(self) -> None:
@@ -84,18 +90,21 @@ class MainWindow(QMainWindow):
         self.scale = ScalePanel()
         self.docks: list[QDockWidget] = []
         self.add_dock("measures", self.tr("Measures"), self.measures)
+        self.regions = RegionsPanel()
+        self.add_dock("regions", self.tr("Regions"), self.regions)
         self.chains = ChainsPanel()
         self.add_dock("chains", self.tr("Chains"), self.chains)
         self.probes = ProbesPanel()
         self.add_dock("probes", self.tr("Places"), self.probes)
-        self.add_dock("scale", self.tr("Colour scale"), self.scale)
-        for dock in self.docks[1:-1]:
-            self.tabifyDockWidget(self.docks[0], dock)
-        for dock in self.docks[:-1]:  # their names stand on the tabs
-            dock.setTitleBarWidget(QWidget())
-        self.docks[0].raise_()
-        self.resizeDocks([self.docks[0], self.docks[-1]], [380, 380], Qt.Orientation.Horizontal)
-        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
+        upper = self.docks[:]
+        self.section = SectionPanel()
+        self.alignment = AlignmentPanel()
+        self.options = OptionsPanel()
+        self.add_dock("scale", self.tr("Scale"), self.scale)
+        self.add_dock("section", self.tr("Section"), self.section)
+        self.add_dock("alignment", self.tr("Alignment"), self.alignment)
+        self.add_dock("options", self.tr("Options"), self.options)
+        self._arrange(upper, self.docks[len(upper) :])
         self.status = QLabel()
         self.status.setContentsMargins(UNIT, 0, 0, 0)
         self.progress = ProgressStrip()
@@ -113,7 +122,9 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Load the core and tie it to the window, which is on the screen by then."""
+        from app.controllers.alignment import Alignment
         from app.controllers.exporting import Exporting
+        from app.controllers.regions import Regions
         from app.controllers.session import Session
         from app.controllers.sessions import Sessions
         from app.controllers.showing import Showing
@@ -122,6 +133,8 @@ class MainWindow(QMainWindow):
         self.session = Session()
         self.showing = Showing(self)
         self.exporting = Exporting(self)
+        self.regions_of = Regions(self)
+        self.alignment_of = Alignment(self)
         self.sessions = Sessions(self)
 
     def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
@@ -129,7 +142,7 @@ class MainWindow(QMainWindow):
         dock = QDockWidget(title, self)
         dock.setObjectName(name)
         dock.setWidget(panel)
-        dock.setTitleBarWidget(DockTitle(dock))
+        dock.setTitleBarWidget(QWidget())  # its name stands on its tab
         dock.setFeatures(
             QDockWidget.DockWidgetFeature.DockWidgetMovable
             | QDockWidget.DockWidgetFeature.DockWidgetFloatable
@@ -138,6 +151,16 @@ class MainWindow(QMainWindow):
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         self.docks.append(dock)
         return dock
+
+    def _arrange(self, *groups: list[QDockWidget]) -> None:
+        """Put each group of panels behind one row of tabs; their names stand there."""
+        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
+        for group in groups:
+            for dock in group[1:]:
+                self.tabifyDockWidget(group[0], dock)
+            group[0].raise_()
+        heads = [group[0] for group in groups]
+        self.resizeDocks(heads, [380] * len(heads), Qt.Orientation.Horizontal)
 
     def dress(self, dark: bool) -> None:
         """Put on the dark or the light theme."""
@@ -148,8 +171,6 @@ class MainWindow(QMainWindow):
         app.setStyleSheet(style_sheet(colours))
         self.grid.dress(colours)
         self.measures.dress(colours)
-        for title in self.findChildren(DockTitle):
-            title.hide_button.setIcon(icon("close", colours.quiet))
 
     @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -167,8 +188,10 @@ class MainWindow(QMainWindow):
         settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
         self.sessions.close()
-        self.ended = self.exporting.runner.close(CLOSING_SECONDS)
-        self.ended &= self.session.runner.close(CLOSING_SECONDS)
+        runners = (self.session.runner, self.exporting.runner, self.alignment_of.runner)
+        for runner in runners:
+            runner.stop()
+        self.ended = all(runner.wait(CLOSING_SECONDS) for runner in runners)
         self.display.close()
         super().closeEvent(event)
 

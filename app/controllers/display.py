@@ -4,8 +4,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
+from app.model.tool import Tool
 from app.model.view_state import ViewState
 from app.numbers import short
 from app.scene.camera import Camera, home, showing
@@ -38,6 +40,11 @@ class Display(QObject):
     """The state or the content is another one."""
     shown = Signal(object)
     """Pictures reached the screen."""
+    tool_changed = Signal(object)
+    path_drawn = Signal(object, object)
+    """Tool, and places (x, y) in the plane of comparison."""
+    landmark_picked = Signal(int, object)
+    """Surface 1 or 2, and the place (3,) in the comparison's coordinates."""
 
     def __init__(self, grid: ViewGrid) -> None:
         super().__init__()
@@ -46,6 +53,8 @@ class Display(QObject):
         self.state = ViewState()
         self.content: Content | None = None
         self._camera = Camera()
+        self.tool = Tool.LOOK
+        self._brush = 0.0
         self._rest = QTimer(self, singleShot=True, interval=REST_MILLISECONDS)
         self._rest.timeout.connect(self.draw)
         grid.pressed = self.press
@@ -55,6 +64,7 @@ class Display(QObject):
             canvas.panned.connect(lambda right, up: self._move(lambda c: c.panned(right, up)))
             canvas.zoomed.connect(self._zoom)
             canvas.resized.connect(self._move_nothing)
+            canvas.drawn.connect(self._drawn)
             canvas.clicked.connect(lambda right, up, v=view: self._pick(v, right, up))
             for source in (canvas.filled, frame.title.filled):
                 source.connect(lambda v=view: self.toggle_fill(v))
@@ -82,6 +92,8 @@ class Display(QObject):
         if state == self.state:
             return
         old, self.state = self.state, state
+        if state.relief and self.tool.draws:
+            self.use(Tool.LOOK)
         if old.relief != state.relief and self.content is not None:
             self._camera = self._camera.from_above()
             if state.relief:
@@ -158,14 +170,53 @@ class Display(QObject):
     def _zoom(self, factor: float, right: float, up: float) -> None:
         self._move(lambda camera: camera.zoomed(factor, right, up))
 
+    def use(self, tool: Tool) -> None:
+        """Take a tool in hand; those that draw need the map."""
+        self.tool = tool
+        if tool.draws:
+            self.change(relief=False)
+        for frame in self._grid.frames:
+            frame.canvas.tool = tool
+        self.tool_changed.emit(tool)
+
+    def set_brush(self, radius: float) -> None:
+        """Set the brush's radius, in the unit of the input."""
+        self._brush = radius
+
+    def _drawn(self, path: list[tuple[float, float]]) -> None:
+        if self.content is None:
+            return
+        camera, origin = self._camera, self.content.geometry.origin
+        points = [
+            np.array(camera.focus)
+            + (right * camera.right + up * np.array(camera.up)) * camera.height
+            for right, up in path
+        ]
+        places = tuple((float(p[0] + origin[0]), float(p[1] + origin[1])) for p in points)
+        self.path_drawn.emit(self.tool, places)
+
     def _pick(self, view: int, right: float, up: float) -> None:
         if self.content is None:
+            return
+        if self.tool is Tool.LANDMARK:
+            self._pick_landmark(view, right, up)
             return
         patch = self.content.geometry.patches[2]
         place = place_at(patch, self._camera, self.state.relief, right, up)
         old = self.state.picked
         again = place is not None and old is not None and place.triangle == old.triangle
         self.change(picked=None if again else place)
+
+    def _pick_landmark(self, view: int, right: float, up: float) -> None:
+        assert self.content is not None
+        if view > 1:
+            return
+        patch = self.content.geometry.patches[view]
+        place = place_at(patch, self._camera, self.state.relief, right, up)
+        if place is not None:
+            corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
+            point = np.array(place.weights) @ corners + self.content.geometry.origin
+            self.landmark_picked.emit(view + 1, point)
 
     def _aspect(self) -> float:
         sizes = self._grid.sizes()
@@ -174,6 +225,7 @@ class Display(QObject):
     def _wish(self, moving: bool) -> None:
         for frame in self._grid.frames:
             frame.canvas.turning = self.state.relief
+            frame.canvas.brush = self._brush / self._camera.height
         if self.content is None or not self._grid.isVisible():
             return
         self.warm_up()

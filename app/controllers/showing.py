@@ -16,6 +16,7 @@ from app.scene.content import Content
 from app.scene.distribution import fitting_limit
 from app.scene.furniture import colour_bar, legend
 from app.scene.pick import reading_at
+from app.scene.section import profile_of
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import unit_of
 
@@ -48,6 +49,9 @@ class Showing(QObject):
         window.probes.clear_asked.connect(lambda: display.change(probes=()))
         window.scale.changed.connect(self._scale_chosen)
         window.scale.fit_asked.connect(self._fit)
+        window.section.tool_asked.connect(display.use)
+        display.tool_changed.connect(window.section.show_tool)
+        window.options.changed.connect(session.set_document)
         window.empty.open_asked.connect(self._open_missing)
         window.empty.sample_asked.connect(lambda: window.actions_of.open_sample())
         self._dark: bool | None = None
@@ -71,6 +75,7 @@ class Showing(QObject):
         window.actions_of.redo.setEnabled(session.history.can_redo)
         window.actions_of.swap.setEnabled(session.document.complete)
         window.empty.tell(session.document.paths, busy)
+        window.options.show_document(session.document)
         window.pages.setCurrentWidget(window.grid if session.shown else window.empty)
         if not busy:
             window.progress.hide()
@@ -131,7 +136,12 @@ class Showing(QObject):
             self._dark = state.dark
             window.dress(state.dark)
         window.toolbar.show_state(state)
-        window.scale.show_state(window.display.content, state, self.unit)
+        content = window.display.content
+        window.scale.show_state(content, state, self.unit)
+        profile = None
+        if content is not None and state.section is not None:
+            profile = profile_of(content.comparison, state.section)
+        window.section.show_profile(profile, self.unit, state.dark)
         if window.display.content is None:
             return
         comparison, counts = window.display.content.comparison, window.display.content.counts

@@ -34,11 +34,20 @@ def region_of(comparison: Comparison, regions: tuple[Region, ...]) -> NDArray[np
     x, y = united.nodes[united.triangles].mean(axis=1).T
     number = np.full(len(x), -1, dtype=np.int32)
     for k, region in enumerate(regions):
-        for polygon in region.polygons:
-            number[inside(x, y, polygon)] = k
-        for cx, cy, radius in region.discs:
-            number[(x - cx) ** 2 + (y - cy) ** 2 <= radius**2] = k
+        number[region_mask(x, y, region)] = k
     return number
+
+
+def region_mask(
+    x: NDArray[np.float64], y: NDArray[np.float64], region: Region
+) -> NDArray[np.bool_]:
+    """Return which points lie in a region."""
+    mask = np.zeros(len(x), dtype=bool)
+    for polygon in region.polygons:
+        mask |= inside(x, y, polygon)
+    for cx, cy, radius in region.discs:
+        mask |= (x - cx) ** 2 + (y - cy) ** 2 <= radius**2
+    return mask
 
 
 def inside(x: NDArray[np.float64], y: NDArray[np.float64], polygon: Polygon) -> NDArray[np.bool_]:

@@ -1,6 +1,7 @@
 """One piece of work at a time on a thread beside the window; only the newest one counts."""
 
 import threading
+import time
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
@@ -51,12 +52,16 @@ class Runner(QObject):
             self._busy = False
             self.cancelled.emit()
 
-    def close(self, seconds: float) -> bool:
-        """Tell all work to stop, wait at most `seconds`; return whether all of it has ended."""
+    def stop(self) -> None:
+        """Tell all work to stop, without a word to anybody."""
         self._generation += 1
         self._busy = False
+
+    def wait(self, seconds: float) -> bool:
+        """Wait at most `seconds` for stopped work; return whether all of it has ended."""
+        end = time.monotonic() + seconds
         for thread in self._threads:
-            thread.join(seconds / len(self._threads))
+            thread.join(max(end - time.monotonic(), 0.0))
         return not any(thread.is_alive() for thread in self._threads)
 
     def _work(self, work: Callable[[Progress], object], generation: int) -> None:

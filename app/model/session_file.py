@@ -77,6 +77,20 @@ def from_text(text: str, folder: Path, name: str) -> tuple[Document, ViewState, 
     return document, state, (one, two)
 
 
+def regions_from(text: str, name: str) -> tuple[Region, ...]:
+    """Return the regions of a file.
+
+    Raises
+    ------
+    InputError
+        One line that names the file and the fault.
+    """
+    try:
+        return tuple(Region(**_tuples(region)) for region in json.loads(text))
+    except (ValueError, TypeError) as error:
+        raise InputError(f"{name}: no regions ({error})") from error
+
+
 def write(path: Path, text: str) -> None:
     """Write a file completely or not at all."""
     temporary = path.with_name(f".{path.name}.{os.getpid()}.part")

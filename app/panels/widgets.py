@@ -1,12 +1,8 @@
 """Small widgets that several panels use."""
 
-from typing import override
-
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import (
-    QDockWidget,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QMenu,
@@ -16,7 +12,6 @@ from PySide6.QtWidgets import (
 )
 
 from app.numbers import short
-from app.theme import UNIT
 
 
 def tool_button(text: str, tip: str = "", *, plain: bool = False) -> QToolButton:
@@ -45,28 +40,6 @@ class Panel(QWidget):
         super().__init__()
         self.setObjectName("panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-
-
-class DockTitle(QWidget):
-    """The line over a docked panel; dragging it moves the panel."""
-
-    def __init__(self, dock: QDockWidget) -> None:
-        super().__init__(dock)
-        self.setObjectName("dockTitle")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setFixedHeight(4 * UNIT + 4)
-        name = QLabel(dock.windowTitle())
-        name.setObjectName("title")
-        self.hide_button = tool_button("", self.tr("Hide this panel"), plain=True)
-        self.hide_button.clicked.connect(dock.hide)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(UNIT + 4, 0, UNIT // 2, 0)
-        row.addWidget(name, 1)
-        row.addWidget(self.hide_button)
-
-    @override
-    def sizeHint(self) -> QSize:
-        return QSize(super().sizeHint().width(), self.maximumHeight())
 
 
 class ChoiceButton(QPushButton):
@@ -104,6 +77,11 @@ class NumberBox(QLineEdit):
         self._value = 1.0
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.editingFinished.connect(self._edited)
+
+    @property
+    def value(self) -> float:
+        """The number in force."""
+        return self._value
 
     def show_value(self, value: float) -> None:
         """Show a number."""

@@ -2,6 +2,9 @@
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 
 def round_up(value: float) -> float:
     """Return the smallest of 1, 2, 5 times a power of ten that is at least `value`."""
@@ -29,3 +32,13 @@ def round_down(value: float) -> float:
     power = 10.0 ** math.floor(math.log10(value) + 1e-12)
     step = next(k for k in (5, 2, 1) if value >= k * power * (1 - 1e-9))
     return float(f"{step * power:.12g}")
+
+
+def padded(values: NDArray[np.float64]) -> tuple[float, float]:
+    """Return the range of an axis that shows all finite values with some room."""
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return (0.0, 1.0)
+    low, high = float(known.min()), float(known.max())
+    room = 0.06 * (high - low) or max(abs(high), 1.0) * 0.1
+    return (low - room, high + room)

@@ -13,11 +13,13 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
+    QPolygonF,
     QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.model.tool import Tool
 from app.theme import LIGHT, UNIT, Theme
 
 CLICK_PIXELS = 4
@@ -43,9 +45,10 @@ class Canvas(QWidget):
     zoomed = Signal(float, float, float)
     """Factor, and the place that stays."""
     clicked = Signal(float, float)
+    drawn = Signal(object)
+    """The places of a path, once the button is up."""
     filled = Signal()
     resized = Signal()
-    released = Signal()
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -60,6 +63,10 @@ class Canvas(QWidget):
         self._moved = False
         self.turning = True
         """The left button turns; else it slides the map."""
+        self.tool = Tool.LOOK
+        self.brush = 0.0
+        """Radius of the brush, in shares of the height."""
+        self._path: list[QPointF] = []
 
     @override
     def sizeHint(self) -> QSize:
@@ -85,6 +92,7 @@ class Canvas(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for label in self._labels:
             self._draw_label(painter, label)
+        self._draw_path(painter)
 
     def _draw_label(self, painter: QPainter, label: Label) -> None:
         """Draw a dot on the place and its value beside it."""
@@ -105,6 +113,26 @@ class Canvas(QWidget):
         painter.drawRoundedRect(box, 4, 4)
         painter.setPen(text)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label.text)
+
+    def _draw_path(self, painter: QPainter) -> None:
+        """Draw what the tool has drawn so far."""
+        if not self._path:
+            return
+        colour = QColor(self._theme.accent)
+        pen = QPen(colour, 2)
+        if self.tool is Tool.BRUSH:
+            colour.setAlphaF(0.4)
+            pen = QPen(colour, 2 * self.brush * self.height())
+            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+            pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self.tool is Tool.SECTION:
+            painter.drawLine(self._path[0], self._path[-1])
+        elif len(self._path) == 1:
+            painter.drawPoint(self._path[0])
+        else:
+            painter.drawPolyline(QPolygonF(self._path))
 
     def _target(self, image: QImage) -> QRectF:
         """Where the picture goes: its height fills the widget, its middle stays the middle."""
@@ -127,10 +155,17 @@ class Canvas(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._press = self._last = event.position()
         self._moved = False
+        if self.tool.draws and event.button() == Qt.MouseButton.LeftButton:
+            self._path = [event.position()]
+            self.update()
 
     @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._press is None:
+            return
+        if self._path:
+            self._path.append(event.position())
+            self.update()
             return
         away = event.position() - self._press
         self._moved = self._moved or away.manhattanLength() >= CLICK_PIXELS
@@ -151,22 +186,28 @@ class Canvas(QWidget):
         if self._press is None:
             return
         self._press = None
-        if self._moved:
-            self.released.emit()
-        elif event.button() == Qt.MouseButton.LeftButton:
+        if self._path:
+            path, self._path = self._path, []
+            self.drawn.emit([self._place(position) for position in path])
+        elif not self._moved and event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(*self._place(event.position()))
 
     @override
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
         self._press = None
+        if self.tool is not Tool.LOOK:
+            return
         self.filled.emit()
 
     @override
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
-        self.setCursor(
-            Qt.CursorShape.OpenHandCursor if not self.turning else Qt.CursorShape.ArrowCursor
-        )
+        if self.tool is not Tool.LOOK:
+            self.setCursor(Qt.CursorShape.CrossCursor)
+        elif self.turning:
+            self.setCursor(Qt.CursorShape.ArrowCursor)
+        else:
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
 
     @override
     def wheelEvent(self, event: QWheelEvent) -> None:

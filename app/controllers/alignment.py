@@ -1,0 +1,184 @@
+"""Moves surface 2 onto surface 1 and keeps account of how."""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject
+
+from app.jobs.comparing import Compared
+from app.jobs.regions import region_mask
+from app.jobs.runner import Runner
+from app.model.document import NOT_MOVED, Matrix, Motion
+from app.model.tool import Tool
+from surfcmp_core.errors import InputError
+from surfcmp_core.measures.measures import Measures
+from surfcmp_core.progress import Progress
+
+if TYPE_CHECKING:
+    from app.window import MainWindow
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """The same place on both surfaces, in the files' coordinates."""
+
+    one: Point | None = None
+    two: Point | None = None
+
+    @property
+    def complete(self) -> bool:
+        """Whether both places are known."""
+        return self.one is not None and self.two is not None
+
+
+class Alignment(QObject):
+    """Landmarks, best fit and nudges; each is a step of the history."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window = window
+        self.pairs: list[Pair] = []
+        self.runner = Runner()
+        self.runner.finished.connect(self._move)
+        self.runner.failed.connect(window.banner.tell)
+        self._before: Measures | None = None
+        panel, session = window.alignment, window.session
+        panel.tool_asked.connect(window.display.use)
+        panel.fit_asked.connect(self.best_fit)
+        panel.landmarks_asked.connect(self.fit_landmarks)
+        panel.clear_asked.connect(self.clear)
+        panel.reset_asked.connect(lambda: self._move(NOT_MOVED))
+        panel.nudged.connect(self.nudge)
+        window.display.tool_changed.connect(panel.show_tool)
+        window.display.landmark_picked.connect(self.add_landmark)
+        session.compared.connect(self._compared)
+        panel.show_pairs(self.pairs)
+        self._show()
+
+    def add_landmark(self, surface: int, point: NDArray[np.float64]) -> None:
+        """Take a place on a surface, in the comparison's coordinates."""
+        shown = self._window.session.shown
+        if shown is None:
+            return
+        to_file = np.linalg.inv(_to_comparison(shown)[surface - 1])
+        place = to_file[:3, :3] @ point + to_file[:3, 3]
+        found: Point = (float(place[0]), float(place[1]), float(place[2]))
+        last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
+        pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
+        self.pairs = [*(self.pairs[:-1] if last else self.pairs), pair]
+        self._window.alignment.show_pairs(self.pairs)
+
+    def clear(self) -> None:
+        """Forget the landmarks."""
+        self.pairs = []
+        self._window.alignment.show_pairs(self.pairs)
+
+    def fit_landmarks(self) -> None:
+        """Move surface 2 so that its landmarks come nearest to those of 1."""
+        from surfcmp_core.alignment import fit_landmarks
+
+        whole = [(pair.one, pair.two) for pair in self.pairs if pair.one and pair.two]
+        try:
+            found = fit_landmarks([one for one, _ in whole], [two for _, two in whole])
+        except InputError as error:
+            self._window.banner.tell(str(error))
+            return
+        self._move(Motion(_matrix(found.matrix), "landmarks", found.residual, found.inliers))
+        self._window.display.use(Tool.LOOK)
+
+    def best_fit(self, on_region: bool) -> None:
+        """Move surface 2 by iterated closest points, from where it lies."""
+        shown, selected = self._window.session.shown, self._window.regions.selected
+        if shown is None:
+            return
+        if on_region and selected < 0:
+            self._window.banner.tell(self.tr("Draw a region first, or select one"), "note")
+            return
+        number = selected if on_region else None
+
+        def work(progress: Progress) -> Motion:
+            return _best_fit(shown, number, progress)
+
+        self.runner.start(work)
+
+    def nudge(self, axis: str, step: float) -> None:
+        """Shift surface 2 by `step`, or turn it around the middle of the comparison."""
+        shown = self._window.session.shown
+        if shown is None:
+            return
+        frame = _to_comparison(shown)[0]  # axes are those one sees
+        turn = np.eye(4)
+        if len(axis) == 1:
+            turn["xyz".index(axis), 3] = step
+        else:
+            k = "xyz".index(axis[1])
+            a, b = (k + 1) % 3, (k + 2) % 3
+            c, s = np.cos(np.deg2rad(step)), np.sin(np.deg2rad(step))
+            turn[[a, a, b, b], [a, b, a, b]] = c, -s, s, c
+            centre = shown.content.geometry.origin
+            turn[:3, 3] = centre - turn[:3, :3] @ centre
+        old = np.array(self._window.session.document.motion.matrix)
+        matrix = np.linalg.inv(frame) @ turn @ frame @ old
+        method = self._window.session.document.motion.method
+        words = (
+            "by hand" if method in {"none", "by hand"} else f"{method.split(',')[0]}, then by hand"
+        )
+        self._move(Motion(_matrix(matrix), words))
+
+    def _move(self, motion: Motion) -> None:
+        session = self._window.session
+        if session.shown is not None:
+            self._before = session.shown.comparison.measures
+        session.set_document(replace(session.document, motion=motion))
+
+    def _compared(self, result: Compared) -> None:
+        if result.document.motion == NOT_MOVED:
+            self._before = None
+        self._show()
+
+    def _show(self) -> None:
+        shown = self._window.session.shown
+        now = None if shown is None else shown.comparison.measures
+        motion = NOT_MOVED if shown is None else shown.document.motion
+        self._window.alignment.show_motion(motion, self._before, now, self._window.showing.unit)
+
+
+def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the motions from the files' coordinates of 1 and of 2 to the comparison's."""
+    two = shown.comparison.transform
+    one = two @ np.linalg.inv(np.array(shown.document.motion.matrix))
+    return one, two
+
+
+def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion:
+    from surfcmp_core.alignment import best_fit
+
+    surfaces = shown.comparison.surfaces
+    masks: list[NDArray[np.bool_] | None] = [None, None]
+    if number is not None:
+        region = shown.document.regions[number]
+        for k, motion in enumerate(_to_comparison(shown)):
+            points = surfaces[k].points @ motion[:3, :3].T + motion[:3, 3]
+            masks[k] = region_mask(points[:, 0], points[:, 1], region)
+    found = best_fit(
+        *surfaces,
+        start=np.array(shown.document.motion.matrix),
+        region_1=masks[0],
+        region_2=masks[1],
+        progress=progress,
+    )
+    names = {
+        "icp": "best fit (ICP)",
+        "icp overlap": "best fit (ICP) on the overlap",
+        "icp region": "best fit (ICP) on a region",
+    }
+    method = names.get(found.method, found.method)
+    return Motion(_matrix(found.matrix), method, found.residual, found.inliers)
+
+
+def _matrix(array: NDArray[np.float64]) -> Matrix:
+    return tuple((float(a), float(b), float(c), float(d)) for a, b, c, d in array)
