@@ -1,7 +1,7 @@
 """Writing nodes: .ply, .npz and .xyz, every bit kept, as our readers read them."""
 
 from collections.abc import Callable
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -22,7 +22,7 @@ def _write_ply(surface: Surface, stream: BinaryIO) -> None:
 
 
 def _write_npz(surface: Surface, stream: BinaryIO) -> None:
-    stated = {"unit": np.array(surface.unit)} if surface.unit else {}
+    stated: dict[str, Any] = {"unit": np.array(surface.unit)} if surface.unit else {}
     np.savez(stream, points=surface.points, **stated)
 
 
