@@ -18,6 +18,8 @@ _RANK = 1e-5
 """Weight of what decides among views that show the same area."""
 _FILLED = 4.0
 """In that, weight of the filled share of the outline beside the shadow's."""
+_RANK_CLOSED = 0.03
+"""Weight of the shadow for closed meshes: convex ones show half of themselves in every view."""
 _ALIKE = 10
 """Decimals to which two views are told apart."""
 _LATTICE = 3
@@ -33,11 +35,11 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     For meshes it is the direction from which the largest area is seen at once: facing the viewer
     and with nothing in front. Of views that show the same, one is taken that leaves few gaps in
     its convex outline (seen from where it was taken a scan has none: what is missing was hidden)
-    and casts a large shadow (for gently sloping meshes this is the area-weighted normal). Every
-    view of a closed mesh shows about half of it: there it is the principal axis with the largest
-    shadow, on the side that shows more. Each surface of a pair counts as much as the other. The
-    search runs in axes that the shape itself gives, so that a turned scan has the turned direction;
-    meshes go by their outward sides (right-hand rule).
+    and casts a large shadow (for gently sloping meshes this is the area-weighted normal). Of a
+    closed mesh each view shows half or less: there the shadow alone decides, and counts for more.
+    Each surface of a pair counts as much as the other. The search runs in axes that the shape
+    itself gives, so that a turned scan has the turned direction; meshes go by their outward sides
+    (right-hand rule).
 
     Clouds have no sides. Beside a mesh they have no say; else the direction is the normal of their
     plane of least squares, on the side of the files' +z axis (+y, +x where it lies at right angles
@@ -109,8 +111,7 @@ def _own_axes(meshes: list[Samples]) -> NDArray[np.float64]:
 
 
 def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
-    if np.mean([m.openness for m in meshes]) < _CLOSED:
-        return _best_axis(meshes)
+    closed = bool(np.mean([m.openness for m in meshes]) < _CLOSED)
 
     def value(direction: NDArray[np.float64]) -> float:
         total = 0.0
@@ -118,7 +119,10 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
             area, shadow = seen(mesh, direction)
             outline = 0.5 * float(np.abs(mesh.hull @ direction).sum())
             filled = shadow / outline if outline > 0.0 else 1.0
-            total += area + _RANK * (_FILLED * filled + shadow)
+            if closed:
+                total += area + _RANK_CLOSED * shadow
+            else:
+                total += area + _RANK * (_FILLED * filled + shadow)
         return total
 
     first = _views_all_round(meshes)
@@ -133,13 +137,6 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
         if reached > best_value + 10.0**-_ALIKE:
             best, best_value = direction, reached
     return np.asarray(best)
-
-
-def _best_axis(meshes: list[Samples]) -> NDArray[np.float64]:
-    views = np.concatenate((np.eye(3), -np.eye(3)))
-    area, shadow = np.sum([[seen(m, d) for d in views] for m in meshes], axis=0).T
-    axis = int(np.argmax(shadow[:3] + shadow[3:]))
-    return np.asarray(views[axis if area[axis] >= area[axis + 3] else axis + 3])
 
 
 def _views_all_round(meshes: list[Samples]) -> NDArray[np.float64]:
