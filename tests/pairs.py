@@ -6,6 +6,7 @@ The same family and seed give the same pair on every machine.
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -291,11 +292,11 @@ def is_flat(nodes: Nodes) -> bool:
     """Whether distinct nodes lie on one line, by fractions."""
     if len(nodes) < 3:
         return True
-    from fractions import Fraction
-
-    rows = [(Fraction(x), Fraction(y)) for x, y in nodes.tolist()]
-    (ax, ay), (bx, by) = rows[:2]
-    return all((bx - ax) * (y - ay) == (by - ay) * (x - ax) for x, y in rows[2:])
+    (ax, ay), (bx, by) = ((Fraction(x), Fraction(y)) for x, y in nodes[:2].tolist())
+    return all(
+        (bx - ax) * (Fraction(y) - ay) == (by - ay) * (Fraction(x) - ax)
+        for x, y in nodes[2:].tolist()
+    )
 
 
 def _placed(rng: Random, first: Nodes, second: Nodes) -> tuple[Nodes, Nodes]:
