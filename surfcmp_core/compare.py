@@ -26,6 +26,10 @@ _SQUARABLE = 500
 """Between 2**-500 and 2**500 areas are told without over- or underflow."""
 
 
+_ALIKE = 5.0
+"""Surfaces whose sizes differ by more than this factor are questioned."""
+
+
 def _explained(progress: Progress) -> Progress:
     """Say so where the first use of the program compiles its kernels, which takes its time."""
     if kernels_are_ready():
@@ -54,8 +58,20 @@ def _folding(surface: Surface) -> list[str]:
     return [f"{100.0 * share:.3g} % of the area, seen along z, folds over"] if share else []
 
 
+def _unlike(first: Surface, second: Surface) -> list[str]:
+    """Question a pair of which one is far larger than the other: their units may differ."""
+    sizes = [float(np.linalg.norm(np.ptp(s.points, axis=0))) for s in (first, second)]
+    ratio = max(sizes) / min(sizes)
+    if ratio <= _ALIKE:
+        return []
+    return [
+        f"{first.name} and {second.name}: one is {ratio:.3g} times as large as the other; "
+        "are both in the same unit?"
+    ]
+
+
 def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
-    return tuple(
+    notes = [
         f"{surface.name}: {note}"
         for surface in (first, second)
         for note in (
@@ -63,7 +79,8 @@ def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
             *(["the file states no unit; mm is assumed"] if surface.unit is None else []),
             *_folding(surface),
         )
-    )
+    ]
+    return (*notes, *_unlike(first, second))
 
 
 def compare(

@@ -494,3 +494,12 @@ def test_duplicates_as_told() -> None:
         assert result.measures.mean_abs == pytest.approx(value)
         assert result.grids[0].merged == 9
         assert result.options.duplicates == how
+
+
+def test_a_pair_of_unlike_sizes_is_questioned() -> None:
+    def square(side: float, name: str) -> Surface:
+        return dataclasses.replace(_cloud(_lattice(5, 5, side), 0.0, name), unit="mm")
+
+    assert compare(square(5.0, "a"), square(1.0, "b")).warnings == ()
+    (question,) = compare(square(6.5, "a"), square(1.0, "b")).warnings
+    assert question.startswith("a and b: one is 6.5 times as large as the other")
