@@ -59,7 +59,26 @@ def _all_magnitudes(rng: np.random.Generator, nodes: int) -> Cases:
     return np.asarray(np.ldexp(signs * digits, powers))
 
 
-_KINDS = (_lattice, _on_a_line, _on_a_circle, _on_whole_circles, _far_away, _all_magnitudes)
+def _nearly_parallel(rng: np.random.Generator, nodes: int) -> Cases:
+    """Whole numbers of up to 53 bits, whose cross products are -1, 0 or 1."""
+    fibonacci = [0.0, 1.0]
+    while fibonacci[-1] < 2.0**52:
+        fibonacci.append(fibonacci[-1] + fibonacci[-2])
+    first = rng.integers(0, len(fibonacci) - 4, (SIZE, 1)) + rng.integers(0, 3, (SIZE, nodes))
+    places = np.array(fibonacci)[first[..., None] + np.arange(2)]
+    places[rng.random((SIZE, nodes)) < 1.0 / nodes] = 0.0
+    return places.reshape(SIZE, -1)
+
+
+_KINDS = (
+    _nearly_parallel,
+    _lattice,
+    _on_a_line,
+    _on_a_circle,
+    _on_whole_circles,
+    _far_away,
+    _all_magnitudes,
+)
 
 
 def blocks(nodes: int, seed: int) -> Iterator[Cases]:
