@@ -24,7 +24,7 @@ _ALIKE = 10
 """Decimals to which two views are told apart."""
 _LATTICE = 3
 """The first views go through the points of a cube's surface, this many steps from its centre."""
-_STARTS = 3
+_STARTS = 2
 """The best of the first views, from which the search goes on."""
 _STEPS = np.radians([8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125])
 

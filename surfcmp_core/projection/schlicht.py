@@ -81,7 +81,8 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
         low = np.zeros(len(nodes), bool)
         low[members[_below(np.where(used, z, -np.inf), members, starts)]] = True
         fate[low[faces].any(axis=1) & (fate == Fate.KEPT)] = Fate.HIDDEN
-    drop_islands(faces, area, island, room, fate)
+    if (fate == Fate.HIDDEN).any():
+        drop_islands(faces, area, island, room, fate)
     return _part(surface, fate, area, turned)
 
 
