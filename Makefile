@@ -29,11 +29,11 @@ lint: setup-dev ## check style
 types: setup-dev ## check types
 	$(python) -m mypy
 
-bench: setup-test ## measure speed and memory
-	$(python) -m tests.benchmarks
+bench: setup-test ## measure speed and memory (ARGS=compare: that alone)
+	$(python) -m tests.benchmarks $(ARGS)
 
-fuzz: setup-test ## compare with slow oracles on random input, for long
-	$(python) -m tests.fuzz
+fuzz: setup-test ## seek pairs of grids that break the merge, until stopped (ARGS="--seconds 600")
+	$(python) -m tests.fuzz $(ARGS)
 
 samples: setup-run ## write the built-in samples anew
 	$(python) resources/make_samples.py
