@@ -3,6 +3,8 @@
 The core is imported where it is needed: the window is on the screen before it is loaded.
 """
 
+import math
+
 
 def short(value: float) -> str:
     """Return the shortest decimal of `value`, with a true minus sign."""
@@ -16,11 +18,9 @@ def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, s
     return numbers.with_unit(value, power, unit)
 
 
-def figure(value: float | None) -> str:
-    """Five significant figures; a dash where there is no value."""
-    from surfcmp_core.report import numbers
-
-    return numbers.figure(value)
+def four(value: float) -> str:
+    """Return four significant figures; a dash where there is no value."""
+    return short(float(f"{value:.4g}")) if math.isfinite(value) else "–"
 
 
 def thousands(count: int) -> str:

@@ -130,6 +130,10 @@ def style_sheet(c: Theme) -> str:
     QToolButton[kind="plain"]:hover, QPushButton[kind="plain"]:hover {{ background: {c.hover}; }}
     QToolButton[kind="plain"]:focus, QPushButton[kind="plain"]:focus {{
         border-color: {c.accent}; }}
+    QToolButton[kind="small"] {{ background: transparent; border: 1px solid transparent;
+        padding: 2px 4px; }}
+    QToolButton[kind="small"]:hover {{ background: {c.hover}; }}
+    QToolButton[kind="small"]:focus {{ border-color: {c.accent}; }}
     QToolButton[segment="first"] {{ border-top-right-radius: 0; border-bottom-right-radius: 0; }}
     QToolButton[segment="last"] {{ border-top-left-radius: 0; border-bottom-left-radius: 0;
         border-left: none; }}
@@ -149,7 +153,7 @@ def style_sheet(c: Theme) -> str:
     QTableView, QTreeView, QListView {{ background: {c.panel}; border: none;
         gridline-color: {c.line}; alternate-background-color: {c.raised};
         selection-background-color: {c.hover}; selection-color: {c.text}; outline: none; }}
-    QTreeView::item {{ padding: 2px 8px; }}
+    QTreeView::item {{ padding: 2px 4px; }}
     QTableView::item {{ padding: 2px 4px; }}
     QProgressBar {{ background: {c.hover}; border: none; border-radius: 3px; height: 6px;
         max-height: 6px; }}

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QDockWidget,
     QLabel,
     QMainWindow,
+    QScrollArea,
     QStackedWidget,
     QTabWidget,
     QVBoxLayout,
@@ -141,7 +142,12 @@ class MainWindow(QMainWindow):
         """Dock a panel at the right."""
         dock = QDockWidget(title, self)
         dock.setObjectName(name)
-        dock.setWidget(panel)
+        scroll = QScrollArea()  # a small screen must not be too small for any panel
+        scroll.setWidgetResizable(True)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setMinimumSize(40 * UNIT, 14 * UNIT)
+        scroll.setWidget(panel)
+        dock.setWidget(scroll)
         dock.setTitleBarWidget(QWidget())  # its name stands on its tab
         dock.setFeatures(
             QDockWidget.DockWidgetFeature.DockWidgetMovable
@@ -160,7 +166,7 @@ class MainWindow(QMainWindow):
                 self.tabifyDockWidget(group[0], dock)
             group[0].raise_()
         heads = [group[0] for group in groups]
-        self.resizeDocks(heads, [380] * len(heads), Qt.Orientation.Horizontal)
+        self.resizeDocks(heads, [376] * len(heads), Qt.Orientation.Horizontal)
 
     def dress(self, dark: bool) -> None:
         """Put on the dark or the light theme."""

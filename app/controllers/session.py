@@ -62,9 +62,8 @@ class Session(QObject):
 
     def _run(self) -> None:
         document = self.document
-        if self.shown is not None and document == self.shown.document:
-            self.runner.cancel()
-        elif document.complete:
+        self.runner.stop()
+        if document.complete and (self.shown is None or document != self.shown.document):
             before = self.shown
             self.runner.start(lambda progress: compared(document, before, progress))
         self.changed.emit()

@@ -4,29 +4,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QGridLayout,
     QHBoxLayout,
-    QHeaderView,
     QPushButton,
-    QTreeWidget,
-    QTreeWidgetItem,
     QVBoxLayout,
 )
 
 from app.model.document import NOT_MOVED, Motion
 from app.model.tool import Tool
-from app.numbers import short
-from app.panels.widgets import NumberBox, Panel, quiet_label, tool_button
-from app.theme import UNIT, tabular
+from app.numbers import four
+from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_button
+from app.theme import UNIT
 
 if TYPE_CHECKING:
     from app.controllers.alignment import Pair
     from surfcmp_core.measures.measures import Measures
-
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class AlignmentPanel(Panel):
@@ -65,15 +60,13 @@ class AlignmentPanel(Panel):
         self.pairs = quiet_label()
         self.pairs.setWordWrap(True)
         self.step = NumberBox()
+        self.step.setMaximumWidth(8 * UNIT)
         self.step.setToolTip(self.tr("Step of a nudge: length, or degrees"))
         self.step.setAccessibleName(self.tr("Step of a nudge"))
-        self.table = QTreeWidget()
-        self.table.setAccessibleName(self.tr("What the motion changed"))
-        self.table.setRootIsDecorated(False)
-        self.table.setFont(tabular(self.table.font()))
-        self.table.setHeaderLabels([self.tr("Measure"), self.tr("Before"), self.tr("Now")])
-        self.table.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        self.table.header().setStretchLastSection(False)
+        self.table = NumberTree(
+            self.tr("What the motion changed"),
+            [self.tr("Measure"), self.tr("Before"), self.tr("Now")],
+        )
         self.method = quiet_label()
         self.method.setWordWrap(True)
         self._lay_out()
@@ -103,7 +96,7 @@ class AlignmentPanel(Panel):
 
     def _nudges(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setSpacing(UNIT // 2)
+        grid.setSpacing(0)
         grid.addWidget(quiet_label(self.tr("Nudge by")), 0, 0)
         grid.addWidget(self.step, 1, 0)
         names = {
@@ -116,12 +109,14 @@ class AlignmentPanel(Panel):
         }
         for k, (axis, name) in enumerate(names.items()):
             for row, sign in enumerate((1, -1)):
-                text = f"{'+' if sign > 0 else '−'}{axis.replace('r', '↻ ')}"
+                text = f"{'+' if sign > 0 else '−'}{axis.replace('r', '↻')}"
                 button = tool_button(text, name, plain=True)
+                button.setProperty("kind", "small")
                 button.clicked.connect(
                     lambda _=False, a=axis, s=sign: self.nudged.emit(a, s * self.step.value)
                 )
                 grid.addWidget(button, row, k + 1)
+        grid.setColumnStretch(len(names) + 1, 1)
         return grid
 
     def show_tool(self, tool: Tool) -> None:
@@ -166,10 +161,6 @@ class AlignmentPanel(Panel):
             ("mean_signed", self.tr("Signed mean")),
         ):
             values = [
-                "–" if m is None else f"{short(float(f'{getattr(m, key):.4g}'))} {unit}"
-                for m in (before, now)
+                "–" if m is None else f"{four(getattr(m, key))} {unit}" for m in (before, now)
             ]
-            item = QTreeWidgetItem([name, *values])
-            for column in (1, 2):
-                item.setTextAlignment(column, RIGHT)
-            self.table.addTopLevelItem(item)
+            self.table.add_row([name, *values])

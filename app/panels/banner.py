@@ -18,6 +18,7 @@ class Banner(QFrame):
         self.label = QLabel(wordWrap=True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.action = QPushButton()
+        self.action.setAccessibleName(self.tr("Do what the message offers"))
         self.action.clicked.connect(self._act)
         self._work: Callable[[], object] | None = None
         close = tool_button(self.tr("Close"), self.tr("Close the message"), plain=True)

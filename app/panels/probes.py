@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
     QPushButton,
-    QTreeWidget,
-    QTreeWidgetItem,
     QVBoxLayout,
 )
 
-from app.numbers import figure
-from app.panels.widgets import Panel, quiet_label
+from app.numbers import four
+from app.panels.widgets import NumberTree, Panel, quiet_label
 from app.scene.pick import Reading
-from app.theme import UNIT, tabular
-
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+from app.theme import UNIT
 
 
 class ProbesPanel(Panel):
@@ -30,13 +25,10 @@ class ProbesPanel(Panel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.tree = QTreeWidget()
-        self.tree.setAccessibleName(self.tr("Values at places"))
-        self.tree.setRootIsDecorated(False)
-        self.tree.setFont(tabular(self.tree.font()))
-        self.tree.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.tree.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        self.tree.header().setStretchLastSection(False)
+        heads = [self.tr("Place"), "x", "y", "z1", "z2", "d"]
+        self.tree = NumberTree(self.tr("Values at places"), heads)
+        self.tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+        self.tree.header().resizeSection(0, 6 * UNIT)
         self.hint = quiet_label(self.tr("Click a place on any surface to read its values."))
         self.hint.setWordWrap(True)
         self.keep = QPushButton(self.tr("Keep"))
@@ -60,13 +52,9 @@ class ProbesPanel(Panel):
         self._set_unit("")
 
     def _set_unit(self, unit: str) -> None:
-        names = [self.tr("Place"), "x", "y", "z1", "z2", "d", self.tr("mean d")]
-        self.tree.setHeaderLabels(names)
         head = self.tree.headerItem()
-        for column in range(1, len(names)):
-            head.setTextAlignment(column, RIGHT)
+        for column in range(1, 6):
             head.setToolTip(column, self.tr("in {}").format(unit) if unit else "")
-        head.setToolTip(6, self.tr("Mean of the whole triangle, in {}").format(unit))
 
     def show_readings(self, kept: list[Reading], picked: Reading | None, unit: str) -> None:
         """Show the kept places and the one picked now."""
@@ -82,12 +70,11 @@ class ProbesPanel(Panel):
                 reading.z1,
                 reading.z2,
                 reading.difference,
-                reading.mean_signed,
             )
-            item = QTreeWidgetItem([name, *(figure(number) for number in numbers)])
-            for column in range(1, 7):
-                item.setTextAlignment(column, RIGHT)
-            self.tree.addTopLevelItem(item)
+            item = self.tree.add_row([name, *(four(number) for number in numbers)])
+            item.setToolTip(
+                5, self.tr("Mean of the triangle: {} {}").format(four(reading.mean_signed), unit)
+            )
         self.hint.setVisible(not rows)
         self.keep.setEnabled(picked is not None)
         self.remove.setEnabled(bool(kept))

@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
 )
 
 from app.icons import dot
 from app.model.tool import Tool
-from app.numbers import short, with_unit
-from app.panels.widgets import NumberBox, Panel, quiet_label, tool_button
-from app.theme import UNIT, tabular
+from app.numbers import four, short, with_unit
+from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_button
+from app.theme import UNIT
 
 if TYPE_CHECKING:
     from app.jobs.regions import RegionMeasures
     from surfcmp_core.measures.measures import Measures
-
-RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class RegionsPanel(Panel):
@@ -43,7 +40,7 @@ class RegionsPanel(Panel):
         self.lasso = tool_button(self.tr("Lasso"), self.tr("Draw around a region on the map (L)"))
         self.brush = tool_button(self.tr("Brush"), self.tr("Paint a region on the map (B)"))
         self.radius = NumberBox()
-        self.radius.setMaximumWidth(9 * UNIT)
+        self.radius.setMaximumWidth(7 * UNIT)
         self.radius.setToolTip(self.tr("Radius of the brush"))
         self.radius.setAccessibleName(self.tr("Radius of the brush"))
         for button, tool in ((self.lasso, Tool.LASSO), (self.brush, Tool.BRUSH)):
@@ -55,17 +52,12 @@ class RegionsPanel(Panel):
         self.load.clicked.connect(self.load_asked)
         self.remove = tool_button(self.tr("Remove"), self.tr("Remove the region"), plain=True)
         self.remove.clicked.connect(lambda: self.remove_asked.emit(self.selected))
-        self.tree = QTreeWidget()
-        self.tree.setAccessibleName(self.tr("Regions"))
-        self.tree.setRootIsDecorated(False)
-        self.tree.setFont(tabular(self.tree.font()))
-        self.tree.setHeaderLabels(
-            [self.tr("Region"), "µ", self.tr("Area"), self.tr("Mean |d|"), "P95"]
-        )
-        self.tree.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        heads = [self.tr("Region"), "µ", self.tr("Area"), self.tr("Mean |d|"), "P95"]
+        self.tree = NumberTree(self.tr("Regions"), heads)
         header = self.tree.header()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.setStretchLastSection(False)
+        for column, width in ((1, 4), (2, 8), (3, 8), (4, 8)):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            header.resizeSection(column, width * UNIT)
         self.tree.itemChanged.connect(self._edited)
         self.hint = quiet_label(
             self.tr("Draw around a region. Its measures stand here; all parts add up to the whole.")
@@ -80,14 +72,18 @@ class RegionsPanel(Panel):
         for widget in (self.lasso, self.brush, self.radius):
             tools.addWidget(widget)
         tools.addStretch(1)
+        keeping = QHBoxLayout()
+        keeping.setSpacing(UNIT // 2)
+        keeping.addStretch(1)
         for widget in (self.remove, self.load, self.save):
-            tools.addWidget(widget)
+            keeping.addWidget(widget)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT, UNIT, UNIT, UNIT)
         column.setSpacing(UNIT)
         column.addLayout(tools)
         column.addWidget(self.tree, 1)
         column.addWidget(self.hint)
+        column.addLayout(keeping)
 
     @property
     def selected(self) -> int:
@@ -135,12 +131,8 @@ class RegionsPanel(Panel):
         texts = [name, weight]
         for key in ("area_compared", "mean_abs", "p95"):
             value = None if measures is None else getattr(measures, key)
-            texts.append("–" if value is None else short(float(f"{value:.4g}")))
-        item = QTreeWidgetItem(texts)
-        for column in range(1, len(texts)):
-            item.setTextAlignment(column, RIGHT)
-        self.tree.addTopLevelItem(item)
-        return item
+            texts.append(four(math.nan if value is None else value))
+        return self.tree.add_row(texts)
 
     def _edited(self, item: QTreeWidgetItem, column: int) -> None:
         row = self.tree.indexOfTopLevelItem(item)

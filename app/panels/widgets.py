@@ -1,17 +1,23 @@
 """Small widgets that several panels use."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import (
+    QHeaderView,
     QLabel,
     QLineEdit,
     QMenu,
     QPushButton,
     QToolButton,
+    QTreeWidget,
+    QTreeWidgetItem,
     QWidget,
 )
 
 from app.numbers import short
+from app.theme import UNIT, tabular
+
+RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 def tool_button(text: str, tip: str = "", *, plain: bool = False) -> QToolButton:
@@ -75,6 +81,8 @@ class NumberBox(QLineEdit):
     def __init__(self) -> None:
         super().__init__()
         self._value = 1.0
+        self.setText(short(self._value))
+        self.setMinimumWidth(6 * UNIT)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.editingFinished.connect(self._edited)
 
@@ -99,3 +107,32 @@ class NumberBox(QLineEdit):
             self._value = value
             self.changed.emit(value)
         self.setText(short(self._value))
+
+
+class NumberTree(QTreeWidget):
+    """A plain table: a name on the left, numbers at the right."""
+
+    def __init__(self, name: str, heads: list[str]) -> None:
+        super().__init__()
+        self.setAccessibleName(name)
+        self.setRootIsDecorated(False)
+        self.setIndentation(0)
+        self.setUniformRowHeights(True)
+        font = tabular(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.92)
+        self.setFont(font)
+        self.setHeaderLabels(heads)
+        self.header().setFont(font)
+        self.header().setStretchLastSection(False)
+        self.header().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        for column in range(1, len(heads)):
+            self.headerItem().setTextAlignment(column, RIGHT)
+
+    def add_row(self, texts: list[str]) -> QTreeWidgetItem:
+        """Add a row: its name, then its numbers."""
+        item = QTreeWidgetItem(texts)
+        for column in range(1, len(texts)):
+            item.setTextAlignment(column, RIGHT)
+        item.setSizeHint(0, QSize(0, 3 * UNIT))
+        self.addTopLevelItem(item)
+        return item

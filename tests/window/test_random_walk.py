@@ -1,0 +1,111 @@
+"""Two thousand actions in any order leave a window that works."""
+
+import random
+import threading
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pytestqt.exceptions import capture_exceptions
+from pytestqt.qtbot import QtBot
+
+from app.model.tool import Tool
+from app.model.view_state import Heatmap
+from app.window import MainWindow
+from tests.window.conftest import PATIENCE
+
+STEPS = 2000
+
+
+@pytest.mark.timeout(600)
+def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot):
+    chance = random.Random(11)
+    session, display = window.session, window.display
+    bad = tmp_path / "bad.ply"
+    bad.write_text("no")
+    saved = tmp_path / "walk.surfcmp"
+    errors: list[str] = []
+
+    def place() -> tuple[float, float]:
+        return chance.uniform(-0.5, 0.5), chance.uniform(-0.5, 0.5)
+
+    def spot() -> tuple[float, float]:
+        return chance.uniform(-45, 45), chance.uniform(-45, 45)
+
+    def scale() -> None:
+        limit, banded = chance.choice([0.1, 1.0, 5.0]), chance.random() < 0.5
+        tolerances = chance.choice([(0.5, 1.0, 2.0), (0.1,), (0.2, 3.0)])
+        old = display.state.scale
+        window.scale.changed.emit(
+            replace(old, limit=limit, banded=banded, tolerances=tolerances, pinned=True)
+        )
+
+    def rename() -> None:
+        if session.document.regions:
+            window.regions.renamed.emit(0, chance.choice(["", "nose", "chin"]))
+
+    def weigh() -> None:
+        if session.document.regions:
+            window.regions.weighed.emit(0, chance.choice([-1.0, 0.0, 0.5, 3.0]))
+
+    actions = [
+        lambda: window.actions_of.take(list(files)),
+        lambda: window.actions_of.take([bad, files[0]]),
+        lambda: session.open([files[chance.randrange(2)]], chance.choice([1, 2])),
+        session.runner.cancel,
+        session.undo,
+        session.redo,
+        session.undo,
+        session.redo,
+        window.actions_of.swap_surfaces,
+        lambda: window.alignment.nudged.emit(chance.choice(["x", "z", "ry"]), 0.5),
+        lambda: window.alignment_of.best_fit(False),
+        window.alignment_of.clear,
+        lambda: display.use(chance.choice(list(Tool))),
+        lambda: window.regions_of.draw(Tool.LASSO, (spot(), spot(), spot(), spot())),
+        lambda: window.regions_of.draw(Tool.BRUSH, (spot(), spot())),
+        lambda: window.regions_of.draw(Tool.SECTION, (spot(), spot())),
+        lambda: window.regions_of.remove(0),
+        rename,
+        weigh,
+        scale,
+        window.showing._fit,
+        lambda: display.change(heatmap=chance.choice(list(Heatmap))),
+        lambda: display.change(relief=chance.random() < 0.5),
+        lambda: display.change(brush=chance.choice([None, (0.1, 1.0)])),
+        lambda: display.toggle_fill(chance.randrange(4)),
+        lambda: display._pick(chance.randrange(4), *place()),
+        lambda: display._turn(*place()),
+        lambda: display._zoom(chance.choice([0.8, 1.25]), *place()),
+        display.go_home,
+        window.showing.keep_probe,
+        lambda: window.sessions.save(saved),
+        lambda: saved.is_file() and window.sessions.open(saved),
+        window.actions_of.toggle_dark,
+        window.actions_of.toggle_edges,
+        window.actions_of.stop,
+        lambda: session.shown and window.showing._fly(0),
+        lambda: chance.choice(window.docks).setVisible(chance.random() < 0.7),
+        lambda: qtbot.wait(chance.choice([1, 10, 60])),
+    ]
+    session.failed.connect(errors.append)
+    with capture_exceptions() as exceptions:
+        for _ in range(STEPS):
+            chance.choice(actions)()
+        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        qtbot.waitUntil(lambda: not window.alignment_of.runner.busy, timeout=PATIENCE)
+        qtbot.wait(200)
+    assert exceptions == []
+    assert all("\n" not in error and "internal" not in error for error in errors), errors
+    if session.shown is not None and session.document.complete:
+        assert session.document == session.shown.document
+        assert display.content is session.shown.content
+    names = {thread.name for thread in threading.enumerate()}
+    assert names <= {"MainThread", "studio", "comparison"}
+    # and it still works
+    session.open(files[::-1])
+    session.open(files)
+    qtbot.waitUntil(
+        lambda: not session.runner.busy and session.shown.document.paths == files,
+        timeout=PATIENCE,
+    )
