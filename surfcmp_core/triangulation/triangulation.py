@@ -9,6 +9,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation.half_edges import half_edges
 from surfcmp_core.triangulation.lawson import is_triangulation, make_delaunay
+from surfcmp_core.triangulation.outside import WORTH_A_PROCESS, delaunay_outside
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,6 +42,10 @@ class Triangulation:
 
 
 def _delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
+    if len(nodes) >= WORTH_A_PROCESS:
+        found = delaunay_outside(nodes)
+        if found is not None:
+            return found
     from triangular import delaunay
 
     return np.asarray(delaunay(nodes), np.int32)
