@@ -18,8 +18,8 @@ def same_place(
     Returns
     -------
     members : (k,) int64
-        Nodes that share their place with another, group by group; in a group from the highest z
-        down, nodes of equal z by number.
+        Nodes that share their place with another, group by group; in a group from the lowest z up,
+        nodes of equal z by number.
     starts : (g,) int64
         Where each group starts in `members`.
     """
@@ -33,7 +33,7 @@ def same_place(
     ordered = np.sort(keys)
     twice = ordered[1:][ordered[1:] == ordered[:-1]]
     suspects = np.flatnonzero(np.isin(keys, twice)) if len(twice) else np.empty(0, np.int64)
-    suspects = suspects[np.lexsort((-z[suspects], nodes[suspects, 1], nodes[suspects, 0]))]
+    suspects = suspects[np.lexsort((z[suspects], nodes[suspects, 1], nodes[suspects, 0]))]
     first = np.ones(len(suspects), bool)
     first[1:] = (nodes[suspects[1:]] != nodes[suspects[:-1]]).any(axis=1)
     last = np.ones(len(suspects), bool)

@@ -211,7 +211,7 @@ def test_nodes_written_once_for_each_triangle_still_hang_together():
         surface.points[surface.faces].reshape(-1, 3),
         np.arange(surface.faces.size, dtype=np.int32).reshape(-1, 3),
     )
-    part, removed = schlicht_part(loose)
+    part, removed = schlicht_part(loose, island=1.0)
     assert len(part.faces) == len(surface.faces)
     assert not removed.nodes
 
@@ -233,6 +233,39 @@ def test_islands_go_by_their_share_and_debris_hides_nothing():
     _, removed = schlicht_part(both, island=0.0)
     assert "hidden" in removed.area
     assert "island" not in removed.area
+
+
+def test_wide_overlap_far_from_any_border_is_found():
+    lower = sheet(lambda x, y: 0.1 * x, n=60)
+    upper = sheet(lambda x, y: 1.0 + 0.1 * y, n=47)
+    upper.points[:, :2] *= 0.7
+    both = Surface(
+        np.concatenate((upper.points, lower.points)),
+        np.concatenate((upper.faces, lower.faces + len(upper.points))).astype(np.int32),
+    )
+    part, removed = schlicht_part(both, island=0.0)
+    assert len(part.faces) + len(removed.faces) == len(both.faces)
+    kept_below = part.points[:, 2] < 0.5
+    assert np.abs(part.points[kept_below, :2]).max(axis=1).min() > 0.7
+    assert np.count_nonzero(~kept_below) == len(upper.points)
+    assert set(removed.area) == {"hidden"}
+    covered = 1.4**2 * np.hypot(1.0, 0.1)
+    assert covered < removed.area["hidden"] < covered + 4 * 1.5 * 2 * (2 / 59)
+
+
+def test_small_rest_of_a_hidden_sheet_is_an_island():
+    lower = sheet(lambda x, y: 0.0 * x, n=20)
+    lower.points[:, :2] = 0.3 * lower.points[:, :2] + [0.77, 0.0]  # sticks out by two columns
+    upper = sheet(lambda x, y: 1.0 + 0.0 * x, n=30)
+    both = Surface(
+        np.concatenate((upper.points, lower.points)),
+        np.concatenate((upper.faces, lower.faces + 900)).astype(np.int32),
+    )
+    part, removed = schlicht_part(both)
+    assert (part.points[:, 2] == 1.0).all()
+    assert 0.0 < removed.area["island"] < 0.01 * removed.area_kept
+    _, removed = schlicht_part(both, island=0.0)
+    assert set(removed.area) == {"hidden"}
 
 
 def test_cloud_keeps_the_upper_node_of_each_place():
