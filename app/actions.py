@@ -2,12 +2,11 @@
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QAction, QCursor, QKeySequence
-from PySide6.QtWidgets import QFileDialog, QMenu
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMenu
 
 from app import settings
 from app.model.tool import Tool
@@ -29,8 +28,6 @@ KINDS = {
     ".json": "Result as data",
 }
 """What can be exported, by ending."""
-SESSION = ".surfcmp"
-ENDINGS = ".ply .obj .stl .off .vtp .vtk .xyz .txt .csv .npy .npz .las .laz"
 
 
 class Actions(QObject):
@@ -42,10 +39,12 @@ class Actions(QObject):
         self.all: list[QAction] = []
         bar = window.menuBar()
         file = bar.addMenu(self.tr("&File"))
-        self._add(file, self.tr("&Open two surfaces…"), self.open_both, "Ctrl+O")
-        self._add(file, self.tr("Open surface &1…"), lambda: self.open_one(1), "Ctrl+1")
-        self._add(file, self.tr("Open surface &2…"), lambda: self.open_one(2), "Ctrl+2")
-        self._add(file, self.tr("Open the &sample faces"), self.open_sample)
+        self._add(
+            file, self.tr("&Open two surfaces…"), lambda: window.opening.open_both(), "Ctrl+O"
+        )
+        self._add(file, self.tr("Open surface &1…"), lambda: window.opening.open_one(1), "Ctrl+1")
+        self._add(file, self.tr("Open surface &2…"), lambda: window.opening.open_one(2), "Ctrl+2")
+        self._add(file, self.tr("Open the &sample faces"), lambda: window.opening.open_sample())
         self.recent = file.addMenu(self.tr("&Recent"))
         self.recent.aboutToShow.connect(self._list_recent)
         file.addSeparator()
@@ -68,7 +67,9 @@ class Actions(QObject):
         self.undo = self._add(edit, self.tr("&Undo"), lambda: window.session.undo(), "Ctrl+Z")
         self.redo = self._add(edit, self.tr("&Redo"), lambda: window.session.redo(), "Ctrl+Shift+Z")
         edit.addSeparator()
-        self.swap = self._add(edit, self.tr("&Exchange surfaces"), self.swap_surfaces, "Ctrl+E")
+        self.swap = self._add(
+            edit, self.tr("&Exchange surfaces"), lambda: window.opening.swap_surfaces(), "Ctrl+E"
+        )
         self._add(edit, self.tr("&Copy measures as table"), window.measures.copy_table)
         self.cancel = self._add(edit, self.tr("&Stop, or let go"), self.stop, "Esc")
         self.view_menu = bar.addMenu(self.tr("&View"))
@@ -103,46 +104,6 @@ class Actions(QObject):
         self._add(about, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
         self._add(about, self.tr("&About"), self.show_about)
 
-    def begin(self, paths: list[Path]) -> None:
-        """Open what the command named, or the sample."""
-        if paths:
-            self.take(paths)
-        else:
-            self.open_sample()
-
-    def take(self, paths: list[Path]) -> None:
-        """Take in dropped files; one file asks where it belongs if both places are taken."""
-        session = self._window.session
-        if len(paths) == 1 and paths[0].suffix == SESSION:
-            self._window.sessions.open(paths[0])
-        elif len(paths) > 2:
-            text = self.tr("Two surfaces at a time, please: {} files were dropped")
-            self._window.banner.tell(text.format(len(paths)))
-        elif len(paths) == 1 and session.document.complete:
-            self._ask(paths[0])
-        elif paths:
-            session.open(paths)
-
-    def open_sample(self) -> None:
-        """Open the built-in pair."""
-        from surfcmp_core.samples import sample_pair
-
-        try:
-            self._window.session.open(sample_pair("face"))
-        except FileNotFoundError as error:
-            self._window.banner.tell(str(error))
-
-    def open_both(self) -> None:
-        """Ask for two files."""
-        paths = self._choose(self.tr("Open two surfaces"), several=True)
-        self.take(paths)
-
-    def open_one(self, number: int) -> None:
-        """Ask for one file, to be surface `number`."""
-        paths = self._choose(self.tr("Open surface {}").format(number), several=False)
-        if paths:
-            self._window.session.open(paths, number)
-
     def stop(self) -> None:
         """Stop comparing; where nothing runs, let go of what is picked, chosen or brushed."""
         if self._window.session.runner.busy:
@@ -150,12 +111,6 @@ class Actions(QObject):
         else:
             self._window.display.use(Tool.LOOK)
             self._window.display.change(chain=None, picked=None, brush=None)
-
-    def swap_surfaces(self) -> None:
-        """Exchange surfaces 1 and 2."""
-        session = self._window.session
-        if session.document.complete:
-            session.set_document(session.document.swapped())
 
     def show_palette(self) -> None:
         """Let the user type what to do."""
@@ -195,23 +150,6 @@ class Actions(QObject):
             self.recent.addSeparator()
             forget = self.recent.addAction(self.tr("Forget these"))
             forget.triggered.connect(lambda _=False: settings.forget_pairs())
-
-    def _choose(self, title: str, several: bool) -> list[Path]:
-        globs = " ".join("*" + ending for ending in ENDINGS.split())
-        kinds = self.tr("Surfaces ({})").format(globs)
-        if several:
-            names = QFileDialog.getOpenFileNames(self._window, title, "", kinds)[0]
-        else:
-            names = [QFileDialog.getOpenFileName(self._window, title, "", kinds)[0]]
-        return [Path(name) for name in names if name]
-
-    def _ask(self, path: Path) -> None:
-        self.question = QMenu(self._window)
-        self.question.addSection(path.name)
-        for number in (1, 2):
-            action = self.question.addAction(self.tr("Use as surface {}").format(number))
-            action.triggered.connect(lambda _=False, n=number: self._window.session.open([path], n))
-        self.question.popup(QCursor.pos())
 
     def _export(self, ending: str) -> None:
         self._window.exporting.ask(ending)

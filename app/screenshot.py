@@ -59,7 +59,7 @@ def screenshot(
     window.display.shown.connect(shown)
     window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
     QTimer.singleShot(1000 * SECONDS, app.quit)
-    window.actions_of.begin(paths)
+    window.opening.begin(paths)
     app.exec()
     folder.cleanup()
     return any(done)

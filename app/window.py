@@ -40,6 +40,7 @@ from app.views.grid import ViewGrid
 if TYPE_CHECKING:
     from app.controllers.alignment import Alignment
     from app.controllers.exporting import Exporting
+    from app.controllers.opening import Opening
     from app.controllers.regions import Regions
     from app.controllers.session import Session
     from app.controllers.sessions import Sessions
@@ -53,6 +54,7 @@ class MainWindow(QMainWindow):
     """Puts the parts together; what they do stands in their own files."""
 
     session: "Session"
+    opening: "Opening"
     showing: "Showing"
     exporting: "Exporting"
     regions_of: "Regions"
@@ -125,6 +127,7 @@ class MainWindow(QMainWindow):
         """Load the core and tie it to the window, which is on the screen by then."""
         from app.controllers.alignment import Alignment
         from app.controllers.exporting import Exporting
+        from app.controllers.opening import Opening
         from app.controllers.regions import Regions
         from app.controllers.session import Session
         from app.controllers.sessions import Sessions
@@ -132,6 +135,7 @@ class MainWindow(QMainWindow):
 
         self.display.warm_up()
         self.session = Session()
+        self.opening = Opening(self)
         self.showing = Showing(self)
         self.exporting = Exporting(self)
         self.regions_of = Regions(self)
@@ -187,7 +191,7 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         event.acceptProposedAction()
-        self.actions_of.take(paths)
+        self.opening.take(paths)
 
     @override
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -213,7 +217,7 @@ def run(paths: list[Path]) -> int:
     app.processEvents()  # the window is seen while the core is loaded
     window.start()
     if paths or not window.sessions.offer_recovery():
-        window.actions_of.begin(paths)
+        window.opening.begin(paths)
     status = app.exec()
     if not window.ended:  # a kernel cannot be stopped half way; nothing is left to be saved
         sys.stdout.flush()

@@ -1,6 +1,6 @@
 """Moves surface 2 onto surface 1 and keeps account of how."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +11,7 @@ from app.jobs.comparing import Compared
 from app.jobs.regions import region_mask
 from app.jobs.runner import Runner
 from app.model.document import NOT_MOVED, Matrix, Motion
+from app.model.pair import Pair, Point
 from app.model.tool import Tool
 from surfcmp_core.errors import InputError
 from surfcmp_core.measures.measures import Measures
@@ -18,21 +19,6 @@ from surfcmp_core.progress import Progress
 
 if TYPE_CHECKING:
     from app.window import MainWindow
-
-Point = tuple[float, float, float]
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """The same place on both surfaces, in the files' coordinates."""
-
-    one: Point | None = None
-    two: Point | None = None
-
-    @property
-    def complete(self) -> bool:
-        """Whether both places are known."""
-        return self.one is not None and self.two is not None
 
 
 class Alignment(QObject):

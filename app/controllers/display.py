@@ -233,6 +233,8 @@ class Display(QObject):
         self._studio.show(Wish(self.content, self.state, self._camera, self._grid.sizes(), moving))
 
     def _receive(self, pictures: Pictures) -> None:
+        if self._studio is None:  # closed while these were on their way
+            return
         self._grid.show_pictures(pictures, self._labels(pictures.wish))
         self.shown.emit(pictures)
 

@@ -38,8 +38,8 @@ class Showing(QObject):
         window.progress.cancel_asked.connect(session.runner.cancel)
         display.changed.connect(self._state_changed)
         display.shown.connect(lambda _: self._measure_views())
-        toolbar.surface_asked.connect(lambda n: window.actions_of.open_one(n))
-        toolbar.swap_asked.connect(lambda: window.actions_of.swap_surfaces())
+        toolbar.surface_asked.connect(lambda n: window.opening.open_one(n))
+        toolbar.swap_asked.connect(lambda: window.opening.swap_surfaces())
         toolbar.relief_chosen.connect(lambda on: display.change(relief=on))
         toolbar.heatmap_chosen.connect(lambda kind: display.change(heatmap=kind))
         window.scale.brushed.connect(lambda brush: display.change(brush=brush))
@@ -53,7 +53,7 @@ class Showing(QObject):
         display.tool_changed.connect(window.section.show_tool)
         window.options.changed.connect(session.set_document)
         window.empty.open_asked.connect(self._open_missing)
-        window.empty.sample_asked.connect(lambda: window.actions_of.open_sample())
+        window.empty.sample_asked.connect(lambda: window.opening.open_sample())
         self._dark: bool | None = None
         self._fitted: tuple[Path | None, Path | None] = (None, None)
         self._session_changed()
@@ -220,6 +220,6 @@ class Showing(QObject):
     def _open_missing(self) -> None:
         paths = self._window.session.document.paths
         if any(paths) and not all(paths):
-            self._window.actions_of.open_one(1 if paths[0] is None else 2)
+            self._window.opening.open_one(1 if paths[0] is None else 2)
         else:
-            self._window.actions_of.open_both()
+            self._window.opening.open_both()

@@ -20,7 +20,7 @@ from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_b
 from app.theme import UNIT
 
 if TYPE_CHECKING:
-    from app.controllers.alignment import Pair
+    from app.model.pair import Pair
     from surfcmp_core.measures.measures import Measures
 
 

@@ -93,7 +93,7 @@ class MeasuresPanel(Panel):
         foot.addStretch(1)
         foot.addWidget(self.copy)
         column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT + 4, UNIT // 2, UNIT + 4, UNIT + 4)
+        column.setContentsMargins(UNIT + 4, UNIT + 4, UNIT + 4, UNIT + 4)
         column.setSpacing(UNIT)
         column.addLayout(row)
         column.addWidget(self.tree, 1)

@@ -2,7 +2,7 @@
 
 from typing import override
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -16,8 +16,10 @@ class Plot(QWidget):
 
     def __init__(self, height: int) -> None:
         super().__init__()
-        self.setMinimumHeight(height)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._height = height
+        self.setMinimumHeight(2 * height // 3)
+        self.setMaximumHeight(2 * height)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         font = tabular(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.9)
         self.setFont(font)
@@ -25,6 +27,10 @@ class Plot(QWidget):
         self._x = (0.0, 1.0)
         self._y = (0.0, 1.0)
         self._captions = ("", "")
+
+    @override
+    def sizeHint(self) -> QSize:
+        return QSize(40 * UNIT, self._height)
 
     def set_axes(
         self,

@@ -63,7 +63,7 @@ class ScalePanel(Panel):
 
     def _lay_out(self) -> None:
         grid = QGridLayout(self)
-        grid.setContentsMargins(UNIT + 4, UNIT // 2, UNIT + 4, UNIT + 4)
+        grid.setContentsMargins(UNIT + 4, UNIT, UNIT + 4, UNIT + 4)
         grid.setHorizontalSpacing(UNIT)
         grid.setVerticalSpacing(UNIT)
         grid.addWidget(self.histogram, 0, 0, 1, 2)
@@ -80,6 +80,7 @@ class ScalePanel(Panel):
             grid.addWidget(QLabel(name), k, 0)
             grid.addLayout(row, k, 1)
         grid.setColumnStretch(1, 1)
+        grid.setRowStretch(0, 3)
         grid.setRowStretch(4, 1)
 
     def show_state(self, content: Content | None, state: ViewState, unit: str) -> None:

@@ -23,14 +23,12 @@ class ViewGrid(QWidget):
         self.pressed: Callable[[int, bool], bool] | None = None
         """Told each key and whether Shift is down; says whether the key means anything."""
         self.frames = [ViewFrame(k + 1, name) for k, name in enumerate(names)]
-        layout = QGridLayout(self)
+        self._layout = layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT)
         for k, frame in enumerate(self.frames):
             layout.addWidget(frame, k // 2, k % 2)
-        for line in range(2):
-            layout.setRowStretch(line, 1)
-            layout.setColumnStretch(line, 1)
+        self.fill(None)
 
     @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -42,6 +40,9 @@ class ViewGrid(QWidget):
         """Let one view have all the place; None shows the four."""
         for k, frame in enumerate(self.frames):
             frame.setVisible(view is None or view == k)
+        for line in range(2):
+            self._layout.setRowStretch(line, int(view is None or view // 2 == line))
+            self._layout.setColumnStretch(line, int(view is None or view % 2 == line))
 
     def dress(self, colours: Theme) -> None:
         """Take the colours of a theme."""

@@ -44,7 +44,7 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
 def sample(window: MainWindow, qtbot: QtBot) -> MainWindow:
     """Give the window with the sample pair compared and drawn."""
     with qtbot.waitSignal(window.display.shown, timeout=PATIENCE):
-        window.actions_of.begin([])
+        window.opening.begin([])
     return window
 
 

@@ -32,7 +32,8 @@ def begin(self, paths):
     self.take(paths)
     QTimer.singleShot(int(sys.argv[3]), lambda: close(self._window))
 
-app.window.Actions.begin = begin
+from app.controllers.opening import Opening
+Opening.begin = begin
 exit_now = app.window.os._exit
 def leave(status):
     print(time.monotonic() - closed[0], flush=True)
@@ -53,7 +54,7 @@ def test_fifty_windows_closed_during_a_computation(files: tuple[Path, Path], qtb
         window.show()
         window.start()
         window.sessions.autosave = files[0].with_suffix(".surfcmp")
-        window.actions_of.take(list(files))
+        window.opening.take(list(files))
         qtbot.wait(moments.choice([0, 1, 5, 20, 60, 150]))
         start = time.monotonic()
         window.close()

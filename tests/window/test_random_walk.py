@@ -49,15 +49,15 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
             window.regions.weighed.emit(0, chance.choice([-1.0, 0.0, 0.5, 3.0]))
 
     actions = [
-        lambda: window.actions_of.take(list(files)),
-        lambda: window.actions_of.take([bad, files[0]]),
+        lambda: window.opening.take(list(files)),
+        lambda: window.opening.take([bad, files[0]]),
         lambda: session.open([files[chance.randrange(2)]], chance.choice([1, 2])),
         session.runner.cancel,
         session.undo,
         session.redo,
         session.undo,
         session.redo,
-        window.actions_of.swap_surfaces,
+        window.opening.swap_surfaces,
         lambda: window.alignment.nudged.emit(chance.choice(["x", "z", "ry"]), 0.5),
         lambda: window.alignment_of.best_fit(False),
         window.alignment_of.clear,

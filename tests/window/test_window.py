@@ -84,7 +84,7 @@ def test_one_dropped_file_asks_where_both_places_are_taken(
     before = sample.session.document.paths
     drop(sample, files[0])
     assert sample.session.document.paths == before
-    menu = sample.actions_of.question
+    menu = sample.opening.question
     qtbot.waitUntil(menu.isVisible)
     choice = next(a for a in menu.actions() if "2" in a.text() and not a.isSeparator())
     with qtbot.waitSignal(sample.session.runner.cancelled, timeout=PATIENCE):
@@ -151,6 +151,7 @@ def test_exchange_changes_the_sign(sample: MainWindow, qtbot: QtBot):
 def test_a_view_fills_the_window_and_gives_it_back(sample: MainWindow, view: int, qtbot: QtBot):
     QTest.mouseDClick(sample.grid.frames[view].title, Qt.MouseButton.LeftButton)
     assert [frame.isVisible() for frame in sample.grid.frames] == [k == view for k in range(4)]
+    qtbot.waitUntil(lambda: sample.grid.frames[view].size() == sample.grid.size())
     qtbot.keyClick(sample, Qt.Key.Key_0)
     assert all(frame.isVisible() for frame in sample.grid.frames)
     qtbot.keyClick(sample, Qt.Key(Qt.Key.Key_1 + view))

@@ -1,0 +1,58 @@
+"""The window's imports run one way, and only the views know VTK."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import app
+
+APP = Path(app.__file__).parent
+ORDER = (
+    {"model"},
+    {"numbers", "theme", "settings", "icons"},
+    {"scene"},
+    {"jobs"},
+    {"views", "panels"},
+    {"controllers"},
+    {"actions"},
+    {"window"},
+    {"screenshot", "__main__"},
+)
+"""Each part may import those in the rows above it, and itself."""
+RANK = {part: rank for rank, parts in enumerate(ORDER) for part in parts}
+MODULES = sorted(path for path in APP.rglob("*.py") if path != APP / "__init__.py")
+
+
+def imports(path: Path) -> set[str]:
+    """Name what a module imports, but for what only its types need."""
+    names = set()
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for node in list(ast.walk(tree)):
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            node.body = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return names
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(APP)))
+def test_imports_run_with_the_stream(path: Path):
+    own = path.relative_to(APP).parts[0].removesuffix(".py")
+    for name in imports(path):
+        words = name.split(".")
+        if words[0] == "app" and words[1] != own:
+            assert RANK[words[1]] < RANK[own], f"{own} imports {name}, which is no further up"
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(APP)))
+def test_model_and_scene_know_no_screen(path: Path):
+    own = path.relative_to(APP).parts[0]
+    roots = {name.split(".")[0] for name in imports(path)}
+    if own in {"model", "scene"}:
+        assert not roots & {"PySide6", "vtkmodules"}
+    if own != "views":
+        assert "vtkmodules" not in roots
