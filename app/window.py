@@ -45,9 +45,10 @@ if TYPE_CHECKING:
     from app.controllers.session import Session
     from app.controllers.sessions import Sessions
     from app.controllers.showing import Showing
+    from app.jobs.runner import Runner
 
-CLOSING_SECONDS = 0.5
-"""How long closing waits for a comparison that runs."""
+CLOSING_SECONDS = 0.3
+"""How long closing waits for what runs; then the process ends without it."""
 
 
 class MainWindow(QMainWindow):
@@ -182,6 +183,11 @@ class MainWindow(QMainWindow):
         self.grid.dress(colours)
         self.measures.dress(colours)
 
+    @property
+    def runners(self) -> "tuple[Runner, ...]":
+        """All that can be at work beside the window."""
+        return (self.session.runner, self.exporting.runner, self.alignment_of.runner)
+
     @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if event.mimeData().hasUrls():
@@ -198,11 +204,11 @@ class MainWindow(QMainWindow):
         settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
         self.sessions.close()
-        runners = (self.session.runner, self.exporting.runner, self.alignment_of.runner)
-        for runner in runners:
+        for runner in self.runners:
             runner.stop()
-        self.ended = all(runner.wait(CLOSING_SECONDS) for runner in runners)
-        self.display.close()
+        self.ended = self.display.close(CLOSING_SECONDS)
+        for runner in self.runners:
+            self.ended &= runner.wait(CLOSING_SECONDS if self.ended else 0.0)
         super().closeEvent(event)
 
 
@@ -219,7 +225,7 @@ def run(paths: list[Path]) -> int:
     if paths or not window.sessions.offer_recovery():
         window.opening.begin(paths)
     status = app.exec()
-    if not window.ended:  # a kernel cannot be stopped half way; nothing is left to be saved
+    if not window.ended:  # a kernel or a picture cannot be stopped half way; all is saved
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)

@@ -149,12 +149,11 @@ class Display(QObject):
             self._studio = Studio()
             self._studio.drawn.connect(self._receive)
 
-    def close(self) -> None:
-        """End the drawing."""
+    def close(self, seconds: float) -> bool:
+        """End the drawing; return whether it could be done in so many seconds."""
         self._rest.stop()
-        if self._studio is not None:
-            self._studio.close()
-            self._studio = None
+        studio, self._studio = self._studio, None
+        return studio is None or studio.close(seconds)
 
     def _move(self, step: Callable[[Camera], Camera]) -> None:
         self._camera = step(self._camera)

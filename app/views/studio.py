@@ -78,12 +78,13 @@ class Studio(QObject):
             self._wish = wish
             self._news.notify()
 
-    def close(self) -> None:
-        """End the thread and free what it holds."""
+    def close(self, seconds: float) -> bool:
+        """End the thread; return whether it could be done in so many seconds."""
         with self._news:
             self._ended = True
             self._news.notify()
-        self._thread.join()
+        self._thread.join(seconds)
+        return not self._thread.is_alive()
 
     def _run(self) -> None:
         from app.scene.scene import VIEWS, scene_of

@@ -37,7 +37,8 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     qtbot.waitActive(window)
     yield window
     window.close()
-    assert window.ended
+    for runner in window.runners:
+        assert runner.wait(PATIENCE / 1000)
 
 
 @pytest.fixture
