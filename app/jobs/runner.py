@@ -82,7 +82,9 @@ class Runner(QObject):
             import traceback
 
             traceback.print_exc()
-            self._told.emit(generation, "failed", f"internal error: {error!r}")
+            first = (str(error).splitlines() or [""])[0][:160]
+            text = f"internal error, please report it: {type(error).__name__}: {first}"
+            self._told.emit(generation, "failed", text)
 
     def _receive(self, generation: int, kind: str, value: object) -> None:
         if generation != self._generation:

@@ -47,5 +47,7 @@ class ProgressStrip(QWidget):
 
     def tell(self, stage: str, fraction: float) -> None:
         """Show the stage and how much of the whole is done."""
-        self.stage.setText(self.tr(STAGES.get(stage, stage)) + "…")
+        name, _, note = stage.partition(" (")  # the core may add why it takes long
+        text = self.tr(STAGES.get(name, name)) + "…"
+        self.stage.setText(f"{text} ({note}" if note else text)
         self.bar.setValue(round(1000 * fraction))

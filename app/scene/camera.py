@@ -77,7 +77,8 @@ class Camera:
 
     def project(self, points: Vector) -> Vector:
         """Return (n, 3): right and up in shares of the height from the middle, and nearness."""
-        x, y, z = (points[:, k] - start for k, start in enumerate(self.focus))
+        relative = np.asarray(points) - np.array(self.focus)
+        x, y, z = relative[:, 0], relative[:, 1], relative[:, 2]
         seen = np.empty((len(points), 3))
         for k, axis in enumerate((self.right, self.up, self.back)):  # ten times faster than @
             seen[:, k] = (x * axis[0] + y * axis[1] + z * axis[2]) / self.height
