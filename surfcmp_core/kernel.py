@@ -7,6 +7,8 @@ re-association, no contraction), for the predicates are exact only then.
 from collections.abc import Callable
 from typing import Any, cast
 
+import numpy as np
+
 from surfcmp_core._cache import use_own_cache
 
 use_own_cache()  # which numba would not ask about once it is imported
@@ -22,3 +24,9 @@ def kernel[F: Callable[..., Any]](function: F) -> F:
 def inlined[F: Callable[..., Any]](function: F) -> F:
     """Compile into each caller: for small functions that take arrays."""
     return cast(F, njit(cache=True, nogil=True, error_model="numpy", inline="always")(function))
+
+
+@inlined
+def wide(number: int) -> int:
+    """Give an integer one type, int64: for each type of argument a kernel is compiled anew."""
+    return np.int64(number)  # type: ignore[return-value]

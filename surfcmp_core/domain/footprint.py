@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
-from surfcmp_core.kernel import kernel
+from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.localisation.localisation import walk_to
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation
@@ -245,7 +245,9 @@ def _states(
     states: NDArray[np.uint8],
 ) -> None:
     for k in range(found.size):
-        states[k] = _state_at(nodes, start, twin, state, found[k], queries[k, 0], queries[k, 1])
+        states[k] = _state_at(
+            nodes, start, twin, state, wide(found[k]), queries[k, 0], queries[k, 1]
+        )
 
 
 @kernel

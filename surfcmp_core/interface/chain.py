@@ -18,7 +18,7 @@ from surfcmp_core.interface.joined import (
     following,
     preceding,
 )
-from surfcmp_core.kernel import inlined, kernel
+from surfcmp_core.kernel import inlined, kernel, wide
 from surfcmp_core.predicates import in_disc
 
 N_TRIANGLES = 0
@@ -104,7 +104,7 @@ def trace_chain(
     bool
     """
     # (a) the starter is the current edge
-    A, B = int(words[a]), int(words[b])
+    A, B = wide(words[a]), wide(words[b])
     first_A, first_B = A, B
     _pass(words, a)
     _pass(words, b)
@@ -119,16 +119,16 @@ def trace_chain(
         ax, ay = Ax - Bx, Ay - By
         a_square = ax * ax + ay * ay
         out = preceding(a)
-        A1 = int(words[np.uintp(out)])
+        A1 = wide(words[np.uintp(out)])
         ux, uy = 0.0, 0.0
         if A1 >= 0:
             ux, uy = nodes[np.uintp(A1), 0] - Bx, nodes[np.uintp(A1), 1] - By
         u_square = ux * ux + uy * uy
         a_cross_u = ax * uy - ux * ay
         while True:
-            onward = int(words[np.uintp(out + TWIN)])
+            onward = wide(words[np.uintp(out + TWIN)])
             onward_out = preceding(onward)
-            W = int(words[np.uintp(onward_out)])
+            W = wide(words[np.uintp(onward_out)])
             if events is not None:
                 counters[N_TESTS] += 1
             wx, wy = 0.0, 0.0
@@ -155,16 +155,16 @@ def trace_chain(
             a, out, A1 = onward, onward_out, W
             ux, uy, u_square, a_cross_u = wx, wy, w_square, -w_cross_a
         # ... and the bundle of B, clockwise, relative to A
-        B1 = int(words[np.uintp(following(b))])
+        B1 = wide(words[np.uintp(following(b))])
         ux, uy = 0.0, 0.0
         if B1 >= 0:
             ux, uy = nodes[np.uintp(B1), 0] - Ax, nodes[np.uintp(B1), 1] - Ay
         v_square = ux * ux + uy * uy
         u_cross_b = uy * ax - ux * ay
         while True:
-            back = int(words[np.uintp(b + TWIN)])
+            back = wide(words[np.uintp(b + TWIN)])
             onward = following(back)
-            W = int(words[np.uintp(following(onward))])
+            W = wide(words[np.uintp(following(onward))])
             if events is not None:
                 counters[N_TESTS] += 1
             wx, wy = 0.0, 0.0

@@ -12,7 +12,7 @@ from surfcmp_core.interface.events import N_EVENTS, Event, Events, note
 from surfcmp_core.interface.first_starter import first_starter
 from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, Joined, first_of, following
 from surfcmp_core.interface.next_starter import next_starter
-from surfcmp_core.kernel import kernel
+from surfcmp_core.kernel import kernel, wide
 
 _SLICE = 1 << 18
 """Interface triangles between two looks at whether the user cancelled."""
@@ -89,14 +89,14 @@ def _extract(
                 return True
             counters[N_BRIDGES] -= 1
             top = 2 * counters[N_BRIDGES]
-            bridge = int(stack[top])
+            bridge = wide(stack[top])
             done = (words[first_of(bridge) + MARKS] >> (bridge & 3)) & 1
             if events is not None:
                 kind = _DONE if done else _TAKEN
                 note(events, counters, kind, words[bridge], words[following(bridge)])
             if done:
                 continue  # the free node has been traced meanwhile
-            a, b = next_starter(nodes, words, bridge, int(stack[top + 1]), events, counters)
+            a, b = next_starter(nodes, words, bridge, wide(stack[top + 1]), events, counters)
         chain = counters[N_CHAINS]
         begin = counters[N_TRIANGLES]
         first[chain] = begin

@@ -7,7 +7,7 @@ from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import Event, Events, note
 from surfcmp_core.interface.joined import TWIN, WORDS, preceding
 from surfcmp_core.interface.smallest_circle import is_better
-from surfcmp_core.kernel import kernel
+from surfcmp_core.kernel import kernel, wide
 
 _CIRCLE = int(Event.CIRCLE)
 
@@ -33,7 +33,7 @@ def _corner_towards(
     while words[h] != node:
         h += 1 if h % WORDS < 2 else WORDS - 2
     while not disc_holds(nodes, words, h, other):
-        h = int(words[preceding(h) + TWIN])
+        h = wide(words[preceding(h) + TWIN])
     return h
 
 
@@ -53,7 +53,7 @@ def first_starter(
     both. Where both leftmost nodes share their x there is no such circle, and the starter is the
     pair of neighbours on that vertical line.
     """
-    v = _leftmost(nodes, 0, split)
+    v = _leftmost(nodes, wide(0), split)
     d = _leftmost(nodes, split, nodes.shape[0])
     begin, end = split, nodes.shape[0]
     v_word, d_word = 0, split_word

@@ -7,7 +7,7 @@ from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import N_TESTS, Event, Events, note
 from surfcmp_core.interface.joined import TWIN, first_of, following, preceding
 from surfcmp_core.interface.smallest_circle import is_better
-from surfcmp_core.kernel import kernel
+from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.predicates import orientation
 from surfcmp_core.stack import enlarged
 
@@ -47,7 +47,7 @@ def _walk_to_disc(
                 if orientation(nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1], px, py) < 0.0:
                     onward = words[k + TWIN]
                     break
-        h = first_of(onward)
+        h = first_of(wide(onward))
     return h
 
 
@@ -85,7 +85,7 @@ def next_starter(
     over them meets each once. The smallest circle through v and one of their nodes (step (d)) lies
     within the influence circle of the bridge (step (c)): it is empty of both grids.
     """
-    v, u = int(words[bridge]), int(words[following(bridge)])
+    v, u = wide(words[bridge]), wide(words[following(bridge)])
     vx, vy = nodes[v, 0], nodes[v, 1]
     ux, uy = nodes[u, 0], nodes[u, 1]
     h = _walk_to_disc(nodes, words, other_corner, v, events, counters)
@@ -93,10 +93,10 @@ def next_starter(
         note(events, counters, _DISC, h, v)
     stack = np.empty(64, np.int32)
     depth = 0
-    best = -1
-    corner = -1
+    best = wide(-1)
+    corner = wide(-1)
     for k in range(h, h + 3):
-        d = int(words[k])
+        d = wide(words[k])
         if d >= 0 and (best < 0 or is_better(nodes, vx, vy, ux, uy, best, d)):
             best = d
             corner = k
@@ -106,7 +106,7 @@ def next_starter(
         depth += 1
     while depth > 0:
         depth -= 1
-        h = int(stack[depth])
+        h = wide(stack[depth])
         if events is not None:
             counters[N_TESTS] += 1
         if not disc_holds(nodes, words, h, v):
@@ -114,7 +114,7 @@ def next_starter(
         if events is not None:
             note(events, counters, _DISC, first_of(h), v)
         k = preceding(h)
-        d = int(words[k])
+        d = wide(words[k])
         if d >= 0 and is_better(nodes, vx, vy, ux, uy, best, d):
             best = d
             corner = k

@@ -70,7 +70,8 @@ def _locate_along_tree(
     stack = np.empty(count, np.int32)
     stack[0] = 0
     depth = 1
-    found[0] = walk_to(nodes, start, twin, 0, queries[0, 0], queries[0, 1])
+    found[0] = 0
+    found[0] = walk_to(nodes, start, twin, found[0], queries[0, 0], queries[0, 1])
     while depth > 0:
         depth -= 1
         v = stack[depth]

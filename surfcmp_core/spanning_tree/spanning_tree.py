@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined, kernel
+from surfcmp_core.kernel import inlined, kernel, wide
 from surfcmp_core.predicates import compare_lengths
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import following
@@ -171,14 +171,14 @@ def _join(
                     tree[found] = edges[k]
                     found += 1
         number = np.empty(parts, np.int32)
-        joined = 0
+        joined = wide(0)
         for v in range(parts):
             if parent[v] == v:
                 number[v] = joined
                 joined += 1
             else:  # a root has a lower number than what hangs on it
                 number[v] = number[_root(parent, v)]
-        kept = 0
+        kept = wide(0)
         for k in range(live):
             p = number[tail[k]]
             q = number[head[k]]
