@@ -80,7 +80,8 @@ class Camera:
         relative = np.asarray(points) - np.array(self.focus)
         x, y, z = relative[:, 0], relative[:, 1], relative[:, 2]
         seen = np.empty((len(points), 3))
-        for k, axis in enumerate((self.right, self.up, self.back)):  # ten times faster than @
+        axes = (self.right, np.array(self.up), np.array(self.back))
+        for k, axis in enumerate(axes):  # ten times faster than @
             seen[:, k] = (x * axis[0] + y * axis[1] + z * axis[2]) / self.height
         return seen
 
