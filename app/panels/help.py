@@ -104,7 +104,7 @@ class HelpPages(QWidget):
     def shortcuts(self, actions: Sequence[QAction]) -> str:
         """Return the list of keys."""
         rows = [
-            f"<tr><td style='padding:3px 24px 3px 0'>{escape(plain(action))}</td><td><b>"
+            f"<tr><td width='320'>{escape(plain(action))}</td><td><b>"
             f"{escape(action.shortcut().toString(action.shortcut().SequenceFormat.NativeText))}"
             "</b></td></tr>"
             for action in actions
@@ -119,10 +119,9 @@ class HelpPages(QWidget):
             (self.tr("Turn, move, zoom by keys"), self.tr("arrows, Shift and arrows, + and −")),
         )
         rows += [
-            f"<tr><td style='padding:3px 24px 3px 0'>{what}</td><td><b>{how}</b></td></tr>"
-            for what, how in mouse
+            f"<tr><td width='320'>{what}</td><td><b>{how}</b></td></tr>" for what, how in mouse
         ]
-        return f"<h2>{self.tr('Keys and mouse')}</h2><table>{''.join(rows)}</table>"
+        return f"<h2>{self.tr('Keys and mouse')}</h2><table cellpadding='4'>{''.join(rows)}</table>"
 
     def about(self) -> str:
         """Return what the program is, and what it is not."""

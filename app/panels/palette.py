@@ -3,9 +3,17 @@
 from collections.abc import Sequence
 from typing import override
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QAction, QKeyEvent
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QHeaderView,
+    QLineEdit,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.theme import UNIT
 
@@ -22,8 +30,16 @@ class CommandPalette(QDialog):
         self._actions = [action for action in actions if action.isEnabled()]
         self.line = QLineEdit()
         self.line.setPlaceholderText(self.tr("What do you want to do?"))
-        self.list = QListWidget()
-        self.list.setUniformItemSizes(True)
+        self.list = QTreeWidget()
+        self.list.setColumnCount(2)
+        self.list.setHeaderHidden(True)
+        self.list.setRootIsDecorated(False)
+        self.list.setUniformRowHeights(True)
+        self.list.setIndentation(0)
+        self.list.setAccessibleName(self.tr("Actions"))
+        self.list.header().setStretchLastSection(False)
+        self.list.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        self.list.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT, UNIT, UNIT, UNIT)
         column.setSpacing(UNIT)
@@ -44,24 +60,29 @@ class CommandPalette(QDialog):
             name = plain(action)
             if all(word in name.casefold() for word in words):
                 keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
-                item = QListWidgetItem(f"{name}    {keys}".rstrip())
-                item.setData(ACTION, action)
-                self.list.addItem(item)
-        self.list.setCurrentRow(0)
+                item = QTreeWidgetItem([name, keys])
+                item.setData(0, ACTION, action)
+                item.setSizeHint(0, QSize(0, 3 * UNIT + 2))
+                self.list.addTopLevelItem(item)
+        self._go_to(0)
+
+    def _go_to(self, row: int) -> None:
+        last = self.list.topLevelItemCount() - 1
+        self.list.setCurrentIndex(self.list.model().index(min(max(row, 0), last), 0))
 
     def _run(self) -> None:
         item = self.list.currentItem()
+        action = item.data(0, ACTION) if item is not None else None
         self.close()
-        if item is not None:
-            item.data(ACTION).trigger()
+        if action is not None:
+            action.trigger()
 
     @override
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()), 0)
             if step:
-                row = self.list.currentRow() + step
-                self.list.setCurrentRow(min(max(row, 0), self.list.count() - 1))
+                self._go_to(self.list.currentIndex().row() + step)
                 return True
         return super().eventFilter(watched, event)
 
