@@ -1,6 +1,7 @@
 """Moves surface 2 onto surface 1 and keeps account of how."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,6 +33,7 @@ class Alignment(QObject):
         self.runner.finished.connect(self._move)
         self.runner.failed.connect(window.banner.tell)
         self._before: Measures | None = None
+        self._paths: tuple[Path | None, Path | None] = (None, None)
         panel, session = window.alignment, window.session
         panel.tool_asked.connect(window.display.use)
         panel.fit_asked.connect(self.best_fit)
@@ -56,12 +58,25 @@ class Alignment(QObject):
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
         pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
         self.pairs = [*(self.pairs[:-1] if last else self.pairs), pair]
+        self._show_landmarks()
+
+    def _show_landmarks(self) -> None:
+        shown, marks = self._window.session.shown, []
+        if shown is not None:
+            motions = _to_comparison(shown)
+            for k, pair in enumerate(self.pairs, 1):
+                for view, point in enumerate((pair.one, pair.two)):
+                    if point is not None:
+                        motion = motions[view]
+                        place = motion[:3, :3] @ np.array(point) + motion[:3, 3]
+                        marks.append((view, place, str(k)))
+        self._window.display.set_landmarks(marks)
         self._window.alignment.show_pairs(self.pairs)
 
     def clear(self) -> None:
         """Forget the landmarks."""
         self.pairs = []
-        self._window.alignment.show_pairs(self.pairs)
+        self._show_landmarks()
 
     def fit_landmarks(self) -> None:
         """Move surface 2 so that its landmarks come nearest to those of 1."""
@@ -124,6 +139,9 @@ class Alignment(QObject):
     def _compared(self, result: Compared) -> None:
         if result.document.motion == NOT_MOVED:
             self._before = None
+        if result.document.paths != self._paths:  # landmarks belong to their files
+            self._paths, self.pairs = result.document.paths, []
+        self._show_landmarks()
         self._show()
 
     def _show(self) -> None:

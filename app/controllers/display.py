@@ -5,14 +5,15 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.model.tool import Tool
-from app.model.view_state import ViewState
+from app.model.view_state import Place, ViewState
 from app.numbers import short
 from app.scene.camera import Camera, home, showing
 from app.scene.content import Content
-from app.scene.pick import place_at, point_at, reading_at
+from app.scene.pick import corners_at, place_at, point_at, reading_at
 from app.views.canvas import Label
 from app.views.grid import ViewGrid
 from app.views.studio import Pictures, Studio, Wish
@@ -52,7 +53,8 @@ class Display(QObject):
         self._studio: Studio | None = None
         self.state = ViewState()
         self.content: Content | None = None
-        self._camera = Camera()
+        self._camera = self._seen = Camera()
+        self._landmarks: list[tuple[int, NDArray[np.float64], str]] = []
         self.tool = Tool.LOOK
         self._brush = 0.0
         self._rest = QTimer(self, singleShot=True, interval=REST_MILLISECONDS)
@@ -104,7 +106,9 @@ class Display(QObject):
         if old.filled != state.filled:
             self._grid.fill(state.filled)
         self.changed.emit()
-        self.draw()
+        if old.drawn != state.drawn or old.filled != state.filled:
+            self.draw()
+        self._show_labels()
 
     def toggle_fill(self, view: int) -> None:
         """Let one view have all the place, or give it back."""
@@ -234,25 +238,47 @@ class Display(QObject):
     def _receive(self, pictures: Pictures) -> None:
         if self._studio is None:  # closed while these were on their way
             return
-        self._grid.show_pictures(pictures, self._labels(pictures.wish))
+        self._grid.show_pictures(pictures)
+        self._seen = pictures.wish.camera
+        self._show_labels()
         self.shown.emit(pictures)
 
-    def _labels(self, wish: Wish) -> list[Label]:
-        """Where the labels of the picked and kept places stand in these pictures."""
-        if wish.content is None:
-            return []
-        comparison, geometry = wish.content.comparison, wish.content.geometry
-        state = wish.state
-        places = [(place, True) for place in state.probes]
-        if state.picked is not None:
-            places.append((state.picked, False))
+    def _show_labels(self) -> None:
+        """Lay the labels of the picked and kept places where they stand in the pictures."""
         labels = []
-        for place, kept in places:
-            point = point_at(geometry, place, state.relief)
-            right, up, _ = wish.camera.project(point[None])[0]
-            text = short(float(f"{reading_at(comparison, place).difference:.3g}"))
-            labels.append(Label(float(right), float(up), text, kept))
+        if self.content is not None:
+            places = [(place, True) for place in self.state.probes]
+            if self.state.picked is not None:
+                places.append((self.state.picked, False))
+            labels = [self._label(self.content, place, kept) for place, kept in places]
+        for view, frame in enumerate(self._grid.frames):
+            frame.canvas.show_labels(labels + self._marks(view))
+
+    def set_landmarks(self, marks: list[tuple[int, NDArray[np.float64], str]]) -> None:
+        """Mark places: the view (0 or 1), the place in the comparison's coordinates, a text."""
+        self._landmarks = marks
+        self._show_labels()
+
+    def _marks(self, view: int) -> list[Label]:
+        if self.content is None:
+            return []
+        labels = []
+        for of, place, text in self._landmarks:
+            if of == view:
+                point = place - self.content.geometry.origin
+                point[2] *= self.state.relief
+                right, up, _ = self._seen.project(point[None])[0].tolist()
+                labels.append(Label(right, up, text, False))
         return labels
+
+    def _label(self, content: Content, place: Place, kept: bool) -> Label:
+        geometry, relief = content.geometry, self.state.relief
+        point = point_at(geometry, place, relief)
+        corners = () if kept else corners_at(geometry, place, relief)
+        seen = self._seen.project(np.stack([point, *corners]))[:, :2].tolist()
+        text = short(float(f"{reading_at(content.comparison, place).difference:.3g}"))
+        right, up = seen[0]
+        return Label(right, up, text, kept, tuple((x, y) for x, y in seen[1:]))
 
 
 def _alike(one: Content, two: Content) -> bool:

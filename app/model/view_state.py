@@ -1,6 +1,6 @@
 """How the comparison is looked at; nothing here changes a number."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 
@@ -71,3 +71,8 @@ class ViewState:
     section: tuple[float, float, float, float] | None = None
     """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
     dark: bool = False
+
+    @property
+    def drawn(self) -> "ViewState":
+        """The state without what is laid over the pictures and not drawn in them."""
+        return replace(self, picked=None, probes=(), filled=None)

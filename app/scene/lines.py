@@ -1,4 +1,4 @@
-"""Lines over the surfaces: what is picked, the regions' borders, the section."""
+"""Lines on the surfaces: the regions' borders, the section."""
 
 from __future__ import annotations
 
@@ -25,9 +25,6 @@ def lines_of(content: Content, state: ViewState, quiet: Palette) -> tuple[Segmen
     patch = content.geometry.patches[2]
     for edges, colour in content.borders:
         parts.append((patch.points[edges], colour))
-    if state.picked is not None:
-        nodes = patch.triangles[state.picked.triangle]
-        parts.append((patch.points[np.stack([nodes, np.roll(nodes, -1)], axis=1)], quiet.accent))
     if state.section is not None:
         parts.append((section_line(content, state), quiet.accent))
     nothing = np.zeros((0, 2, 3), dtype=np.float32)

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
 
 
+ROOM = np.float32(1e-5)
+"""Shares of the picture's height that single precision may be off."""
+
+
 def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> Place | None:
     """Return the nearest place of `patch` seen at a point of the picture, or None.
 
@@ -24,27 +28,30 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
     right, up : float
         In shares of the picture's height from its middle, as `Camera.project` gives.
     """
-    points = patch.points.astype(np.float64)
-    if not relief:
-        points[:, 2] = 0.0
-    seen = camera.project(points)
-    x, y = seen[:, 0] - right, seen[:, 1] - up
+    lift = np.array([1.0, 1.0, float(relief)])
+    x, y = (
+        patch.points @ (np.array(axis) * lift / camera.height).astype(np.float32)
+        - np.float32(np.dot(axis, camera.focus) / camera.height + place)
+        for axis, place in ((camera.right, right), (camera.up, up))
+    )
     code = np.zeros(len(x), dtype=np.uint8)  # a triangle that hits has nodes on all four sides
-    for bit, side in enumerate((x <= 0, x >= 0, y <= 0, y >= 0)):
+    for bit, side in enumerate((x <= ROOM, x >= -ROOM, y <= ROOM, y >= -ROOM)):
         code |= side.view(np.uint8) << np.uint8(bit)
     a, b, c = patch.triangles.T
     found = np.flatnonzero((code[a] | code[b] | code[c]) == 15)
-    a, b, c = patch.triangles[found].T
+    nodes = patch.triangles[found]
+    seen = camera.project(patch.points[nodes.ravel()].astype(np.float64) * lift)
+    x, y, depth = seen.T.reshape(3, -1, 3).transpose(0, 2, 1)
+    x, y = x - right, y - up
     weights = np.stack(
-        [x[b] * y[c] - x[c] * y[b], x[c] * y[a] - x[a] * y[c], x[a] * y[b] - x[b] * y[a]]
+        [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
     )
     total = weights.sum(axis=0)
     hit = (total != 0) & ((weights * np.sign(total)) >= 0).all(axis=0)
     if not hit.any():
         return None
     shares = weights[:, hit] / total[hit]
-    depth = np.stack([seen[a, 2], seen[b, 2], seen[c, 2]])[:, hit]
-    nearest = int(np.argmax((shares * depth).sum(axis=0)))
+    nearest = int(np.argmax((shares * depth[:, hit]).sum(axis=0)))
     first, second, third = (float(share) for share in shares[:, nearest])
     return Place(int(found[hit][nearest]), (first, second, third))
 
@@ -88,3 +95,10 @@ def point_at(geometry: Geometry, place: Place, relief: bool) -> NDArray[np.float
     if not relief:
         point[2] = 0.0
     return np.asarray(point)
+
+
+def corners_at(geometry: Geometry, place: Place, relief: bool) -> NDArray[np.float64]:
+    """Return (3, 3) the corners of a place's triangle, in the scene's coordinates."""
+    patch = geometry.patches[2]
+    corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
+    return np.asarray(corners * np.array([1.0, 1.0, float(relief)]))

@@ -59,6 +59,16 @@ class MeshLayer:
     lines: Segments
     line_colours: Colours
 
+    def differs_from(self, other: MeshLayer) -> bool:
+        """Whether the two look different; arrays are compared by identity, but for lines."""
+        return (
+            self.patch is not other.patch
+            or self.colours is not other.colours
+            or (self.relief, self.shaded, self.edges) != (other.relief, other.shaded, other.edges)
+            or not np.array_equal(self.lines, other.lines)
+            or not np.array_equal(self.line_colours, other.line_colours)
+        )
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scene:

@@ -35,6 +35,8 @@ class Label:
     up: float
     text: str
     kept: bool
+    corners: tuple[tuple[float, float], ...] = ()
+    """Of its triangle, to be outlined."""
 
 
 class Canvas(QWidget):
@@ -72,9 +74,14 @@ class Canvas(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(480, 360)
 
-    def show_image(self, image: QImage | None, theme: Theme, labels: list[Label]) -> None:
-        """Show a picture, stretched to the widget where their sizes differ, and labels."""
-        self._image, self._theme, self._labels = image, theme, labels
+    def show_image(self, image: QImage | None, theme: Theme) -> None:
+        """Show a picture, stretched to the widget where their sizes differ."""
+        self._image, self._theme = image, theme
+        self.update()
+
+    def show_labels(self, labels: list[Label]) -> None:
+        """Lay labels over the picture."""
+        self._labels = labels
         self.update()
 
     def pixels(self) -> tuple[int, int]:
@@ -96,10 +103,10 @@ class Canvas(QWidget):
 
     def _draw_label(self, painter: QPainter, label: Label) -> None:
         """Draw a dot on the place and its value beside it."""
-        at = QPointF(
-            self.width() / 2 + label.right * self.height(),
-            self.height() / 2 - label.up * self.height(),
-        )
+        at = self._position(label.right, label.up)
+        painter.setPen(QPen(QColor(self._theme.accent), 2))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPolygon(QPolygonF([self._position(*corner) for corner in label.corners]))
         metrics = QFontMetricsF(self.font())
         wide = metrics.horizontalAdvance(label.text) + 1.5 * UNIT
         box = QRectF(at.x() + UNIT, at.y() - 3 * UNIT, wide, metrics.height() + UNIT / 2)
@@ -150,6 +157,10 @@ class Canvas(QWidget):
             (position.x() - self.width() / 2) / height,
             (self.height() / 2 - position.y()) / height,
         )
+
+    def _position(self, right: float, up: float) -> QPointF:
+        height = self.height()
+        return QPointF(self.width() / 2 + right * height, height / 2 - up * height)
 
     @override
     def mousePressEvent(self, event: QMouseEvent) -> None:

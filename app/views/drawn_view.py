@@ -50,14 +50,14 @@ class View:
             self.renderer.AddLight(light)
         self.renderer.GetActiveCamera().ParallelProjectionOn()
 
-    def apply(self, layer: MeshLayer | None) -> None:
-        """Show a layer, or nothing."""
+    def apply(self, layer: MeshLayer | None) -> bool:
+        """Show a layer, or nothing; return whether that looks different."""
         old, self._layer = self._layer, layer
         self._lines.SetVisibility(layer is not None and len(layer.lines) > 0)
         if layer is None:
             for data in (self._data, self._coarse_data):
                 data.Initialize()
-            return
+            return old is not None
         moved = old is None or old.patch is not layer.patch or old.relief != layer.relief
         fresh = old is None or old.patch is not layer.patch
         coarse = layer.patch.coarse
@@ -74,13 +74,14 @@ class View:
                 self._coarse_data.SetPolys(_cells(coarse.triangles))
         if fresh or old is None or old.colours is not layer.colours:
             self._paint(layer)
-        if old is None or old.lines is not layer.lines:
+        if old is None or not np.array_equal(old.lines, layer.lines):
             ends = np.ascontiguousarray(layer.lines.reshape(-1, 3), dtype=np.float32)
             self._line_data.SetPoints(_points(ends))
             pairs = np.arange(len(ends), dtype=np.int32).reshape(-1, 2)
             self._line_data.SetLines(_cells(pairs))
             _paint(self._lines, self._line_data, layer.line_colours)
         self._mesh.GetProperty().SetLighting(layer.shaded)
+        return old is None or layer.differs_from(old)
 
     def choose(self, fine: bool) -> None:
         """Draw the whole patch, or its coarse likeness where there is one."""

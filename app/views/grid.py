@@ -8,7 +8,6 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.theme import UNIT, Theme, theme
-from app.views.canvas import Label
 from app.views.frame import ViewFrame
 from app.views.studio import Pictures
 
@@ -57,8 +56,8 @@ class ViewGrid(QWidget):
             if frame.isVisibleTo(self)
         )
 
-    def show_pictures(self, pictures: Pictures, labels: list[Label]) -> None:
-        """Put finished pictures and the labels over them on the canvases."""
+    def show_pictures(self, pictures: Pictures) -> None:
+        """Put finished pictures on the canvases."""
         colours = theme(pictures.wish.state.dark)
         for view, image in pictures.images.items():
-            self.frames[view].canvas.show_image(image, colours, labels)
+            self.frames[view].canvas.show_image(image, colours)

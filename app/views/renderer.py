@@ -60,12 +60,15 @@ class Renderer:
             self.draw(Camera(height=height), tiles, fine=True)
         self.apply(None)
 
-    def apply(self, scene: Scene | None) -> None:
-        """Make the views show `scene`; only what differs from the last one is sent."""
+    def apply(self, scene: Scene | None) -> set[int]:
+        """Make the views show `scene`; return those that look different now."""
+        changed = set()
         for k, view in enumerate(self._views):
-            view.apply(None if scene is None else scene.layers[k])
+            if view.apply(None if scene is None else scene.layers[k]):
+                changed.add(k)
             if scene is not None:
                 view.colour(scene.palette.background, scene.palette.edge)
+        return changed
 
     def draw(
         self, camera: Camera, tiles: list[Tile], fine: bool, density: float = 1.0

@@ -3,7 +3,7 @@
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,8 +22,8 @@ FRAME_SECONDS = 0.05
 COARSEST = 0.34
 FINE = 2
 """Pixels drawn for each pixel shown, along each side, once the camera rests."""
-AFFORDABLE_SECONDS = 0.35
-"""A finer picture that would take longer is not drawn."""
+AFFORDABLE_SECONDS = 0.2
+"""Where the plain picture took longer, a finer one is not drawn."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,6 +45,14 @@ class Wish:
     camera: Camera
     sizes: tuple[tuple[int, int, int], ...]
     moving: bool
+
+    def same_place(self, other: "Wish") -> bool:
+        """Whether both look from the same place, at equal sizes and in equal ground colours."""
+        return (self.camera, self.sizes, self.state.dark) == (
+            other.camera,
+            other.sizes,
+            other.state.dark,
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,19 +100,20 @@ class Studio(QObject):
 
         renderer = Renderer(VIEWS)
         renderer.warm_up()
-        scene = None
         coarseness = _Coarseness()
+        sharp: Wish | None = None
         while (wish := self._next()) is not None:
-            fresh = None
-            if wish.content is not None:
-                fresh = scene_of(wish.content, wish.state)
-            renderer.apply(fresh)
-            scene = fresh
+            scene = None if wish.content is None else scene_of(wish.content, wish.state)
+            changed = renderer.apply(scene)
+            del scene
             if wish.moving:
                 self._draw(renderer, wish, coarseness, Tile)
+                sharp = None
             else:
-                self._draw_sharp(renderer, wish, coarseness, Tile)
-        del scene
+                same = sharp is not None and sharp.same_place(wish)
+                views = changed if same else {view for view, _, _ in wish.sizes}
+                complete = self._draw_sharp(renderer, wish, views, Tile)
+                sharp = wish if complete else None
         renderer.close()
 
     def _next(self) -> Wish | None:
@@ -125,14 +134,20 @@ class Studio(QObject):
         self._emit(wish, images, seconds, final=False)
 
     def _draw_sharp(
-        self, renderer: "Renderer", wish: Wish, coarseness: "_Coarseness", tile: "type[Tile]"
-    ) -> None:
-        seconds, images = _draw(renderer, wish, 1.0, True, tile)
-        finer = seconds * FINE**2 < AFFORDABLE_SECONDS * 2
+        self, renderer: "Renderer", wish: Wish, views: set[int], tile: "type[Tile]"
+    ) -> bool:
+        """Draw some views, then finer where that is soon done; return whether nothing is left."""
+        part = replace(wish, sizes=tuple(size for size in wish.sizes if size[0] in views))
+        seconds, images = _draw(renderer, part, 1.0, True, tile)
+        finer = seconds < AFFORDABLE_SECONDS
         self._emit(wish, images, seconds, final=not finer)
-        if finer and not self._overtaken():
-            seconds, images = _draw(renderer, wish, float(FINE), True, tile)
-            self._emit(wish, {k: _halved(image) for k, image in images.items()}, seconds, True)
+        if not finer:
+            return True
+        if self._overtaken():
+            return False
+        seconds, images = _draw(renderer, part, float(FINE), True, tile)
+        self._emit(wish, {k: _halved(image) for k, image in images.items()}, seconds, True)
+        return True
 
     def _emit(self, wish: Wish, images: "dict[int, Image]", seconds: float, final: bool) -> None:
         if not self._ended:

@@ -84,7 +84,7 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         window.actions_of.toggle_dark,
         window.actions_of.toggle_edges,
         window.actions_of.stop,
-        lambda: session.shown and window.showing._fly(0),
+        lambda: window.chains.model.rowCount() and window.showing._fly(0),
         lambda: chance.choice(window.docks).setVisible(chance.random() < 0.7),
         lambda: qtbot.wait(chance.choice([1, 10, 60])),
     ]
