@@ -47,6 +47,21 @@ class Grid:
     name: str
 
 
+_CROWDED = 64
+"""Nodes in one cell of the curve from which on sorting them one by one would not be linear."""
+
+
+@kernel
+def _longest_run(keys: NDArray[np.uint64], order: NDArray[np.int64]) -> int:
+    longest = 0
+    begin = 0
+    for k in range(order.size):
+        if keys[order[k]] != keys[order[begin]]:
+            begin = k
+        longest = max(longest, k + 1 - begin)
+    return longest
+
+
 @kernel
 def _runs(
     nodes: NDArray[np.float64],
@@ -142,6 +157,8 @@ def grid_of(
         box = box_of(surface)
     keys = curve_keys(nodes, box)
     order = np.argsort(keys, kind="stable")
+    if _longest_run(keys, order) > _CROWDED:  # one node far away puts all others into one cell
+        order = np.lexsort((nodes[:, 1], nodes[:, 0], keys))
     starts = np.empty(len(order), np.int64)
     starts = starts[: _runs(nodes, keys, order, starts)]
     source = order[starts]

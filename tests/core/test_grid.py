@@ -211,3 +211,15 @@ def test_upright_faces_are_left_out() -> None:
     assert found is not None
     assert len(found) == 2
     assert compare(box, box, duplicates="max", threads=1).measures.mean_abs == 0.0
+
+
+def test_one_node_far_away_does_not_cost_the_square_of_the_others() -> None:
+    nodes = np.random.default_rng(4).random((200_000, 2))
+    nodes[7] = [1e12, 1e12]
+    nodes[11] = nodes[9]
+    grid = grid_of(_surface(np.column_stack((nodes, np.zeros(len(nodes))))))
+    assert (len(grid.nodes), grid.merged) == (199_999, 1)
+    tied = np.flatnonzero(np.diff(grid.keys) == 0)
+    assert len(tied) > 100_000
+    x, y = grid.nodes.T
+    assert ((x[tied] < x[tied + 1]) | ((x[tied] == x[tied + 1]) & (y[tied] < y[tied + 1]))).all()
