@@ -18,6 +18,15 @@ def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, s
     return numbers.with_unit(value, power, unit)
 
 
+def three(value: float) -> str:
+    """Return three significant figures; a dash where there is no value."""
+    if not math.isfinite(value):
+        return "–"
+    if 1e-4 <= abs(value) < 1000:
+        return f"{value:#.3g}".removesuffix(".").replace("-", "−")
+    return short(float(f"{value:.3g}"))
+
+
 def four(value: float) -> str:
     """Return four significant figures; a dash where there is no value."""
     return short(float(f"{value:.4g}")) if math.isfinite(value) else "–"

@@ -9,7 +9,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxLayout
 
-from app.numbers import short, with_unit
+from app.numbers import three, with_unit
 from app.panels.widgets import Panel, quiet_label
 from app.scene.chain_colours import chain_colours
 from app.theme import UNIT, tabular
@@ -135,11 +135,6 @@ class ChainModel(QAbstractTableModel):
         self.beginResetModel()
         self._order = np.argsort(keys, kind="stable")
         self.endResetModel()
-
-
-def three(value: float) -> str:
-    """Return three significant figures; a dash where there is no value."""
-    return short(float(f"{value:.3g}")) if np.isfinite(value) else "–"
 
 
 class ChainsPanel(Panel):

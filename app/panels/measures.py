@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from app.numbers import with_unit
+from app.numbers import three, with_unit
 from app.panels.measure_names import NAMES
 from app.panels.widgets import Panel
 from app.theme import LIGHT, UNIT, Theme, tabular
@@ -41,7 +41,7 @@ class Card(QFrame):
         self._name.setProperty("kind", "quiet")
         self.value = QLabel()
         font = tabular(self.value.font())
-        font.setPointSizeF(font.pointSizeF() * 1.4)
+        font.setPointSizeF(font.pointSizeF() * 1.3)
         font.setWeight(font.Weight.DemiBold)
         self.value.setFont(font)
         column = QVBoxLayout(self)
@@ -156,11 +156,13 @@ class MeasuresPanel(Panel):
         within = [line for line in self._lines if line.group == "Within tolerance"]
         chosen = [by_name["mean_abs"], by_name["p95"], *within[len(within) // 2 :][:1]]
         for card, line in zip(self.cards, chosen, strict=False):
-            value, unit = with_unit(line.value, line.power, self._unit)
+            _, unit = with_unit(line.value, line.power, self._unit)
+            number = float("nan") if line.value is None else line.value
+            value = three(number if line.power else 100 * number)
             name = self._name(line)
             if line in within:
                 name = self.tr("Within {}").format(line.name.removeprefix("≤ "))
-            card.show_number(name, value[:6].rstrip("."), unit, line.text)
+            card.show_number(name, value, unit, line.text)
 
     def _name(self, line: Line) -> str:
         return self.tr(NAMES.get(line.name, line.name))

@@ -14,6 +14,8 @@ class Palette:
     surface_2: Rgb
     shared: Rgb
     """Triangles whose nodes are all shared."""
+    node_1: Rgb
+    node_2: Rgb
     edge: Rgb
     no_data: Rgb
     accent: Rgb
@@ -25,6 +27,8 @@ LIGHT = Palette(
     surface_1=(176, 196, 214),
     surface_2=(222, 206, 178),
     shared=(206, 206, 206),
+    node_1=(28, 78, 130),
+    node_2=(150, 84, 10),
     edge=(32, 40, 52),
     no_data=(168, 173, 182),
     accent=(0, 122, 204),
@@ -34,6 +38,8 @@ DARK = Palette(
     surface_1=(126, 150, 174),
     surface_2=(180, 160, 126),
     shared=(130, 130, 130),
+    node_1=(140, 200, 255),
+    node_2=(255, 196, 110),
     edge=(8, 10, 14),
     no_data=(84, 89, 98),
     accent=(92, 188, 255),

@@ -40,6 +40,8 @@ class MeshLayer:
     ----------
     patch : Patch
     colours : (m, 3) uint8, or one colour for all
+    nodes : (n, 3) uint8
+        Colours of the nodes, which are drawn where they lie far enough apart.
     relief : bool
         Draw the heights; else the map, z = 0.
     shaded : bool
@@ -53,6 +55,7 @@ class MeshLayer:
 
     patch: Patch
     colours: Colours | Rgb
+    nodes: Colours
     relief: bool
     shaded: bool
     edges: bool
@@ -63,6 +66,7 @@ class MeshLayer:
         """Whether the two look different; arrays are compared by identity, but for lines."""
         return (
             self.patch is not other.patch
+            or self.nodes is not other.nodes
             or self.colours is not other.colours
             or (self.relief, self.shaded, self.edges) != (other.relief, other.shaded, other.edges)
             or not np.array_equal(self.lines, other.lines)
@@ -89,11 +93,15 @@ def scene_of(content: Content, state: ViewState) -> Scene:
         heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark),
     ]
     patches = (*geometry.patches, geometry.patches[2])
+    united = united_nodes(comparison, state.dark)
+    counts = [len(patch.points) for patch in geometry.patches[:2]]
+    nodes = [*(plain_nodes(n, k, state.dark) for k, n in enumerate(counts, 1)), united, united]
     lines, line_colours = lines_of(content, state, quiet)
     layers = [
         MeshLayer(
             patch=patch,
             colours=colour,
+            nodes=nodes[view],
             relief=state.relief,
             shaded=state.relief or view < 2,
             edges=state.edges,
@@ -103,6 +111,24 @@ def scene_of(content: Content, state: ViewState) -> Scene:
         for view, (patch, colour) in enumerate(zip(patches, colours, strict=True))
     ]
     return Scene(layers=tuple(layers), palette=quiet)
+
+
+@lru_cache(maxsize=2)
+def plain_nodes(count: int, surface: int, dark: bool) -> Colours:
+    """Return (count, 3) the colour of all nodes of surface 1 or 2."""
+    return np.tile(node_table(dark)[surface], (count, 1))
+
+
+@lru_cache(maxsize=1)
+def united_nodes(comparison: Comparison, dark: bool) -> Colours:
+    """Return (N, 3) the colours of T's nodes: of 1, of 2, shared."""
+    return np.asarray(node_table(dark)[comparison.united.label])
+
+
+def node_table(dark: bool) -> Colours:
+    """Return the colours of nodes by their label: none, 1, 2, shared."""
+    quiet = palette(dark)
+    return np.array([quiet.shared, quiet.node_1, quiet.node_2, quiet.edge], dtype=np.uint8)
 
 
 @lru_cache(maxsize=2)

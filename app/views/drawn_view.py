@@ -16,6 +16,9 @@ from app.scene.scene import MeshLayer
 EDGE_PIXELS = (2.0, 9.0)
 """Sides shorter than the first on the screen are not drawn; at the second they are full."""
 EDGE_OPACITY = 0.45
+NODE_PIXELS = 14.0
+"""Nodes are drawn where sides are longer than this on the screen."""
+NODE_SIZE = 5.0
 LINE_PIXELS = 3.0
 
 
@@ -29,13 +32,19 @@ class View:
         self._lines, self._line_data = _actor()
         self._coarse, self._coarse_data = _actor()
         self._coarse.SetProperty(self._mesh.GetProperty())
-        for actor in (self._mesh, self._coarse, self._lines):
+        self._dots, self._dot_data = _actor()
+        self._dotted: MeshLayer | None = None
+        for actor in (self._mesh, self._coarse, self._lines, self._dots):
             self.renderer.AddActor(actor)
+        self._dots.GetProperty().SetLighting(False)
+        self._dots.GetProperty().SetRenderPointsAsSpheres(True)
         line = self._lines.GetProperty()
         line.SetLighting(False)
-        mapper = self._lines.GetMapper()
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
+        for actor in (self._lines, self._dots):
+            mapper = actor.GetMapper()
+            mapper.SetResolveCoincidentTopologyToPolygonOffset()
+            mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
+            mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-4000)
         surface = self._mesh.GetProperty()
         surface.SetInterpolationToGouraud()
         surface.SetSpecular(0.06)
@@ -55,8 +64,9 @@ class View:
         old, self._layer = self._layer, layer
         self._lines.SetVisibility(layer is not None and len(layer.lines) > 0)
         if layer is None:
-            for data in (self._data, self._coarse_data):
+            for data in (self._data, self._coarse_data, self._dot_data):
                 data.Initialize()
+            self._dots.SetVisibility(False)
             return old is not None
         moved = old is None or old.patch is not layer.patch or old.relief != layer.relief
         fresh = old is None or old.patch is not layer.patch
@@ -112,25 +122,40 @@ class View:
     def thicken(self, density: float) -> None:
         """Draw lines for `density` pixels on each one of the screen."""
         self._lines.GetProperty().SetLineWidth(LINE_PIXELS * density)
+        self._dots.GetProperty().SetPointSize(NODE_SIZE * density)
 
     def look(self, camera: Camera, pixels: float, fine: bool) -> None:
         """Look through `camera`, whose height takes so many pixels of the screen."""
         eye = self.renderer.GetActiveCamera()
         focus, back = np.array(camera.focus), np.array(camera.back)
         eye.SetFocalPoint(*focus)
-        eye.SetPosition(*(focus + back * camera.height))
+        box = np.array(self.renderer.ComputeVisiblePropBounds()).reshape(3, 2)
+        far = float(np.abs(box).max()) if box[0, 0] <= box[0, 1] else 0.0
+        eye.SetPosition(*(focus + back * (camera.height + 4 * far)))  # nothing lies behind it
         eye.SetViewUp(*camera.up)
         eye.SetParallelScale(camera.height / 2)
         self.renderer.ResetCameraClippingRange()
         layer = self._layer
         surface = self._mesh.GetProperty()
-        strength = 0.0
+        size = 0.0
         if fine and layer is not None and layer.edges:
             size = layer.patch.edge * pixels / camera.height
-            low, high = EDGE_PIXELS
-            strength = float(np.clip((size - low) / (high - low), 0, 1))
+        low, high = EDGE_PIXELS
+        strength = float(np.clip((size - low) / (high - low), 0, 1))
         surface.SetEdgeVisibility(strength > 0)
         surface.SetEdgeOpacity(EDGE_OPACITY * strength)
+        self._dot(layer if size > NODE_PIXELS else None)
+
+    def _dot(self, layer: MeshLayer | None) -> None:
+        """Show a layer's nodes, or none; they are sent when they are first seen."""
+        self._dots.SetVisibility(layer is not None)
+        if layer is None or layer is self._dotted:
+            return
+        self._dotted = layer
+        self._dot_data.SetPoints(self._data.GetPoints())
+        numbers = np.arange(len(layer.patch.points), dtype=np.int32)
+        self._dot_data.SetVerts(_cells(numbers.reshape(-1, 1)))
+        _paint(self._dots, self._dot_data, layer.nodes)
 
 
 def _actor() -> tuple[vtkActor, vtkPolyData]:

@@ -51,10 +51,10 @@ class Renderer:
         corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], dtype=np.float32)
         patch = Patch(corner, corner + 1, np.array([[0, 1, 2]], dtype=np.int32), 1.0)
         line = np.zeros((1, 2, 3), dtype=np.float32)
-        painted = np.zeros((1, 3), dtype=np.uint8)
+        painted, dots = np.zeros((1, 3), dtype=np.uint8), np.zeros((3, 3), dtype=np.uint8)
         kinds: tuple[Colours | Rgb, ...] = ((0, 0, 0), painted)
         for view, colours in zip(self._views, kinds, strict=False):
-            view.apply(MeshLayer(patch, colours, True, True, True, line, painted))
+            view.apply(MeshLayer(patch, colours, dots, True, True, True, line, painted))
         tiles = [Tile(view, 16, 16) for view in range(len(self._views))]
         for height in (1.0, 100.0):  # with sides and without
             self.draw(Camera(height=height), tiles, fine=True)
