@@ -48,10 +48,12 @@ class Card(QFrame):
         column.setContentsMargins(UNIT, UNIT // 2 + 2, UNIT, UNIT // 2 + 2)
         column.setSpacing(0)
         column.addWidget(self._name)
+        self.hide()
         column.addWidget(self.value)
 
     def show_number(self, name: str, value: str, unit: str, tip: str) -> None:
         """Show a number and its unit."""
+        self.show()
         self._name.setText(name)
         self.value.setText(f"{value} {unit}".strip())
         self.setToolTip(tip)

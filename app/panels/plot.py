@@ -74,6 +74,8 @@ class Plot(QWidget):
 
     @override
     def paintEvent(self, _event: QPaintEvent) -> None:
+        if not any(self._captions):  # nothing to show yet
+            return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._draw_axes(painter)
