@@ -145,7 +145,8 @@ def compare(
     ----------
     Stages 1 to 6 of the paper's section 3.2; formulas (1) to (3).
     """
-    clock = Clock(_explained(progress), read_seconds)
+    progress = _explained(progress)
+    clock = Clock(progress, read_seconds)
     view = np.eye(4) if frame is None else np.asarray(frame, np.float64)
     motion = view if align is None else view @ np.asarray(align, np.float64)
 

@@ -13,20 +13,10 @@ from surfcmp_core.comparison import Comparison
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
+from surfcmp_core.stages import STAGES
 from surfcmp_core.surface import Surface
 
 Document = dict[str, Any]
-
-STAGES = (
-    "read",
-    "triangulate",
-    "spanning_trees",
-    "locate",
-    "interpolate",
-    "interface",
-    "measures",
-    "total",
-)
 
 
 def program() -> Document:
@@ -82,7 +72,7 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
             "transform": comparison.transform.tolist(),
             "counts": comparison.counts,
             "measures": _measures(comparison.measures),
-            "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in STAGES},
+            "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in (*STAGES, "total")},
             "warnings": list(comparison.warnings),
         }
     )
