@@ -45,6 +45,47 @@ class Placement:
         return tuple(result)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """One surface seen along z, one-valued.
+
+    Attributes
+    ----------
+    part : Surface
+        What is seen, in the view's coordinates; nodes left out are counted in `dropped`.
+    removed : Removed
+        What is not seen, and why.
+    motion : (4, 4) float64
+        From the surface's coordinates to the view's; the third row is the direction.
+    """
+
+    part: Surface
+    removed: Removed
+    motion: NDArray[np.float64]
+
+
+def look_at(surface: Surface, view: View = "auto") -> Sight:
+    """Turn one surface so that the view runs along z, and keep what is seen of it.
+
+    Parameters
+    ----------
+    surface : Surface
+    view
+        As for :func:`place`; "auto": the one that shows most of this surface.
+
+    Returns
+    -------
+    Sight
+
+    Raises
+    ------
+    InputError
+        The surface shows nothing in this view, or no view can be found.
+    """
+    motion = frame(viewing_direction(surface) if view == "auto" else view)
+    return Sight(*schlicht_part(moved(surface, motion)), motion)
+
+
 def place(
     surface_1: Surface, surface_2: Surface, view: View, align: NDArray[np.float64] | None = None
 ) -> Placement:

@@ -8,10 +8,12 @@ from numpy.typing import NDArray
 from surfcmp_core.comparison import Domain
 from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
-from surfcmp_core.grid import Grid
+from surfcmp_core.grid import Grid, grid_of, safe_scale
 from surfcmp_core.interpolation import interpolate
 from surfcmp_core.measures import LinearSurface, triangle_areas
-from surfcmp_core.triangulation import Triangulation
+from surfcmp_core.spanning_tree import spanning_tree, tree_ends
+from surfcmp_core.surface import Surface
+from surfcmp_core.triangulation import Triangulation, triangulate
 from surfcmp_core.triangulation.half_edges import leaving_edges
 from surfcmp_core.united import United
 
@@ -38,6 +40,52 @@ def footprint_of(
     if grid.faces is not None:
         return footprint_of_mesh(triangulation, grid.faces)
     return footprint_of_cloud(triangulation, tree, max_edge)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CloudData:
+    """Where a cloud has data, in short.
+
+    Attributes
+    ----------
+    max_edge : float
+        Longest edge over which it has data.
+    area, hull_area : float
+        With data, and of the convex hull, in the plane.
+    """
+
+    max_edge: float
+    area: float
+    hull_area: float
+
+
+def data_of_cloud(cloud: Surface, max_edge: float | None = None) -> CloudData:
+    """Tell how much of its convex hull a cloud has data in, seen along z.
+
+    Parameters
+    ----------
+    cloud : Surface
+        Of nodes at one place the highest counts.
+    max_edge : float, optional
+        As for :func:`surfcmp_core.domain.footprint_of_cloud`.
+
+    Returns
+    -------
+    CloudData
+
+    Raises
+    ------
+    InputError
+        Nodes that cannot be triangulated.
+    """
+    grid = grid_of(cloud, duplicates="max")
+    scale = safe_scale(grid.nodes)
+    triangulation = triangulate(grid.nodes * scale, name=cloud.name)
+    tree = tree_ends(triangulation, spanning_tree(triangulation))
+    limit = None if max_edge is None else max_edge * scale
+    found = footprint_of(grid, triangulation, tree, limit)
+    hull = float(triangle_areas(triangulation.nodes, triangulation.triangles).sum())
+    return CloudData(found.max_edge / scale, found.area / scale / scale, hull / scale / scale)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

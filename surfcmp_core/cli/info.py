@@ -15,16 +15,26 @@ File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_de
 
 @ending
 def command(file: File, unit: UnitOption = None) -> None:
-    """Say what a file holds: nodes, triangles, extents, one-valuedness."""
+    """Say what a file holds: nodes, triangles, extents, what is seen of it, where it has data."""
     from rich.text import Text
 
+    from surfcmp_core.cli.sight import data_rows, sight_rows
     from surfcmp_core.cli.table import columns, console
     from surfcmp_core.io import facts_of, read_surface
     from surfcmp_core.names import one_line
 
+    surface = read_surface(file, unit=unit)
     rows = columns("", "")
-    for name, text in fact_rows(facts_of(read_surface(file, unit=unit))):
-        rows.add_row("  " + name, text)
+    for title, found in (
+        ("", fact_rows(facts_of(surface))),
+        ("seen with --project auto", sight_rows(surface)),
+        ("data as --max-edge is derived", data_rows(surface)),
+    ):
+        if found and title:
+            rows.add_row()
+            rows.add_row(Text(title, "bold"))
+        for name, text in found:
+            rows.add_row("  " + name, text)
     out = console()
     out.print(Text(one_line(file), "bold"))
     out.print(rows)

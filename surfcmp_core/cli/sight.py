@@ -1,0 +1,62 @@
+"""What a comparison would take of one file: the part that is seen, the places with data."""
+
+import numpy as np
+
+from surfcmp_core.errors import InputError
+from surfcmp_core.report.numbers import figure, thousands
+from surfcmp_core.surface import Surface
+
+Rows = list[tuple[str, str]]
+
+
+def sight_rows(surface: Surface) -> Rows:
+    """Return what `--project auto` would keep of one surface, and what not for which reason."""
+    from surfcmp_core.placement import look_at
+
+    try:
+        sight = look_at(surface)
+    except InputError as fault:
+        return [("nothing", str(fault))]
+    removed = sight.removed
+    direction = sight.motion[2, :3]
+    from_z = np.degrees(np.arctan2(np.hypot(direction[0], direction[1]), direction[2]))
+    places = ", ".join(f"{part:.4f}".replace("-", "−") for part in direction)
+    nodes = {"kept": len(sight.part.points), **removed.nodes}
+    area = {"kept": removed.area_kept, **removed.area} if surface.faces is not None else {}
+    rows = [("direction", f"{places}: {from_z:.1f}° from z")]
+    for reason in dict.fromkeys((*nodes, *area)):
+        texts = [f"{thousands(nodes.get(reason, 0))} nodes{_share(reason, nodes)}"]
+        if reason in area:
+            texts.append(f"{_area(area[reason], surface)}{_share(reason, area)}")
+        rows.append((reason, ", ".join(texts)))
+    return rows
+
+
+def data_rows(surface: Surface) -> Rows:
+    """Return where a cloud has data when nothing says how far its edges may reach."""
+    if surface.faces is not None:
+        return []
+    from surfcmp_core.side import data_of_cloud
+
+    try:
+        data = data_of_cloud(surface)
+    except InputError as fault:
+        return [("nothing", str(fault))]
+    unit = "" if surface.unit is None else f" {surface.unit}"
+    areas = {"data": data.area, "gaps": data.hull_area - data.area}
+    return [
+        ("max-edge", f"{figure(data.max_edge)}{unit}"),
+        ("with data", f"{_area(data.area, surface)}{_share('data', areas)} of the convex hull"),
+    ]
+
+
+def _share(one: str, of: dict[str, int] | dict[str, float]) -> str:
+    part, total = of.get(one, 0), sum(of.values())
+    if not total:
+        return ""
+    share = 100.0 * part / total
+    return f" ({share if part == total else min(share, 99.99):.4g} %)"  # all is only all
+
+
+def _area(area: float, surface: Surface) -> str:
+    return f"{figure(area)} {surface.unit}²" if surface.unit else figure(area)
