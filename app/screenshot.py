@@ -47,7 +47,7 @@ def screenshot(
 
     def shown(pictures: Pictures) -> None:
         nonlocal before
-        if pictures.wish.content is None or not pictures.final:
+        if not pictures.final:
             return
         if before is not None:
             change, before = before, None

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxL
 
 from app.numbers import three, with_unit
 from app.panels.widgets import Panel, quiet_label
-from app.scene.chain_colours import chain_colours
 from app.theme import UNIT, tabular
 
 if TYPE_CHECKING:
@@ -32,11 +31,11 @@ class ChainModel(QAbstractTableModel):
         self._unit = ""
 
     def set_table(self, table: ChainTable, unit: str) -> None:
-        """Show other chains, the longest first."""
+        """Show other chains, in their own order."""
         self.beginResetModel()
         self._table, self._unit = table, unit
-        self._colours = chain_colours(table.closed)
-        self._order = np.argsort(-table.triangles, kind="stable")
+        self._colours = table.colours
+        self._order = np.arange(len(table.closed))
         self.endResetModel()
 
     def chain(self, row: int) -> int:

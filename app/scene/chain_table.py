@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.chain_colours import chain_colours
+from app.scene.colour_maps import Colours
 from app.scene.geometry import Geometry
 
 if TYPE_CHECKING:
@@ -31,6 +33,7 @@ class ChainTable:
         Area-weighted mean of |d| over them; NaN where none is compared.
     share : (C,) float64
         Its part of ∬|d| over all compared triangles.
+    colours : (C, 3) uint8
     """
 
     closed: NDArray[np.bool_]
@@ -38,6 +41,7 @@ class ChainTable:
     area: Floats
     mean_abs: Floats
     share: Floats
+    colours: Colours
 
 
 def chain_table(comparison: Comparison) -> ChainTable:
@@ -54,7 +58,8 @@ def chain_table(comparison: Comparison) -> ChainTable:
         mean_abs = volumes / area
         share = volumes / np.nansum(volume)
     triangles = np.bincount(chain[inside], minlength=count)
-    return ChainTable(closed, triangles.astype(np.int64), area, mean_abs, share)
+    colours = chain_colours(closed)
+    return ChainTable(closed, triangles.astype(np.int64), area, mean_abs, share, colours)
 
 
 def chain_box(comparison: Comparison, geometry: Geometry, chain: int) -> tuple[Floats, Floats]:

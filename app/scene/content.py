@@ -42,14 +42,14 @@ def content_of(
 
     `region` gives each triangle's region (-1: none), `colours` those of the regions.
     """
+    from surfcmp_core.stages import at_once
+
     borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
     if region is not None:
         borders = borders_of(comparison.united.triangles, region, list(colours))
-    return Content(
-        comparison,
-        geometry or geometry_of(comparison),
-        distributions_of(comparison),
-        chain_table(comparison),
-        comparison.counts,
-        borders,
+    shape, (distributions, chains) = at_once(
+        lambda: geometry or geometry_of(comparison),
+        lambda: (distributions_of(comparison), chain_table(comparison)),
+        comparison.options.threads,
     )
+    return Content(comparison, shape, distributions, chains, comparison.counts, borders)

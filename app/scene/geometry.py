@@ -15,6 +15,9 @@ if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from surfcmp_core.triangulation import Triangulation
 
 
+SAMPLE = 50_000
+"""From about so many triangles the typical length of a side is told."""
+
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
 
@@ -95,10 +98,10 @@ def data_of(comparison: Comparison, which: int) -> NDArray[np.bool_] | None:
         state = footprint_of_mesh(triangulation, grid.faces).state[: triangulation.real]
         missing = (state == OUTSIDE) | (state == HOLE)
     else:
-        corners = triangulation.nodes[triangulation.triangles]
-        sides = corners - np.roll(corners, -1, axis=1)
-        longest = np.hypot(sides[..., 0], sides[..., 1]).max(axis=1)
-        missing = longest > comparison.max_edges[which]
+        from app.scene.kernels import longer_than
+
+        limit = float(comparison.max_edges[which])
+        missing = longer_than(limit, triangulation.nodes, triangulation.triangles)
     return ~missing if missing.any() else None
 
 
@@ -125,31 +128,20 @@ def _patch(
     hull: Ints,
     data: NDArray[np.bool_] | None,
 ) -> Patch:
+    from app.scene.kernels import node_normals
+
+    triangles = np.ascontiguousarray(triangles, dtype=np.int32)
     return Patch(
         points=points.astype(np.float32),
         normals=node_normals(points, triangles),
-        triangles=np.ascontiguousarray(triangles, dtype=np.int32),
+        triangles=triangles,
         edge=_typical_edge(points, triangles),
         data=data,
         coarse=coarse_of(points, triangles, hull),
     )
 
 
-def node_normals(points: NDArray[np.float64], triangles: Ints) -> Floats:
-    """Return (n, 3) unit normals, the area-weighted mean of the triangles around each node."""
-    a, b, c = (points[triangles[:, k]] for k in range(3))
-    across = np.cross(b - a, c - a)
-    normals = np.empty_like(points)
-    for axis in range(3):
-        weights = np.repeat(across[:, axis], 3)
-        normals[:, axis] = np.bincount(triangles.ravel(), weights, minlength=len(points))
-    length = np.linalg.norm(normals, axis=1)
-    normals[length == 0] = (0.0, 0.0, 1.0)
-    length[length == 0] = 1.0
-    return (normals / length[:, None]).astype(np.float32)
-
-
 def _typical_edge(points: NDArray[np.float64], triangles: Ints) -> float:
-    sides = triangles[:, [0, 1]]
+    sides = triangles[:: len(triangles) // SAMPLE + 1, :2]
     lengths = np.hypot(*(points[sides[:, 1], :2] - points[sides[:, 0], :2]).T)
     return float(np.median(lengths)) if len(lengths) else 1.0

@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from app.model.view_state import Heatmap, Scale, ViewState
 from app.scene.chain_colours import chain_colours
+from app.scene.coarse import Coarse
 from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Patch
 from app.scene.lines import Segments, lines_of
 from app.scene.palette import Palette, palette
+from app.scene.section import profile_of
 from app.scene.values import Trust, values_of
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
@@ -39,9 +41,12 @@ class MeshLayer:
     Attributes
     ----------
     patch : Patch
-    colours : (m, 3) uint8, or one colour for all
-    nodes : (n, 3) uint8
-        Colours of the nodes, which are drawn where they lie far enough apart.
+    colours : (m, 3) uint8, or one colour for all, or None
+        None in a sketch, where the coarse patch is drawn in place of the patch.
+    coarse_colours : (t, 3) uint8, or one colour for all, or None
+        Of the coarse patch, where there is one.
+    nodes : (n, 3) uint8 or None
+        Colours of the nodes, which are drawn where they lie far enough apart; None in a sketch.
     relief : bool
         Draw the heights; else the map, z = 0.
     shaded : bool
@@ -54,8 +59,9 @@ class MeshLayer:
     """
 
     patch: Patch
-    colours: Colours | Rgb
-    nodes: Colours
+    colours: Colours | Rgb | None
+    coarse_colours: Colours | Rgb | None
+    nodes: Colours | None
     relief: bool
     shaded: bool
     edges: bool
@@ -64,13 +70,22 @@ class MeshLayer:
 
     def differs_from(self, other: MeshLayer) -> bool:
         """Whether the two look different; arrays are compared by identity, but for lines."""
+        if self.colours is None or other.colours is None:
+            repainted = self.coarse_colours is not other.coarse_colours
+        else:
+            repainted = self.colours is not other.colours
         return (
-            self.patch is not other.patch
-            or self.nodes is not other.nodes
-            or self.colours is not other.colours
+            repainted
+            or self.patch is not other.patch
             or (self.relief, self.shaded, self.edges) != (other.relief, other.shaded, other.edges)
-            or not np.array_equal(self.lines, other.lines)
-            or not np.array_equal(self.line_colours, other.line_colours)
+            or self.lines_differ_from(other)
+        )
+
+    def lines_differ_from(self, other: MeshLayer) -> bool:
+        """Whether the lines over the two are others."""
+        return not (
+            np.array_equal(self.lines, other.lines)
+            and np.array_equal(self.line_colours, other.line_colours)
         )
 
 
@@ -82,35 +97,56 @@ class Scene:
     palette: Palette
 
 
-def scene_of(content: Content, state: ViewState) -> Scene:
-    """Return what the four views show."""
+def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Scene:
+    """Return what the four views show; a `sketch` only what is drawn while the camera moves."""
     comparison, geometry = content.comparison, content.geometry
     quiet = palette(state.dark)
-    colours: list[Colours | Rgb] = [
-        surface_colours(geometry.patches[0], quiet.surface_1, state.dark),
-        surface_colours(geometry.patches[1], quiet.surface_2, state.dark),
-        united_colours(comparison, state.chain, state.dark),
-        heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark),
-    ]
     patches = (*geometry.patches, geometry.patches[2])
-    united = united_nodes(comparison, state.dark)
-    counts = [len(patch.points) for patch in geometry.patches[:2]]
-    nodes = [*(plain_nodes(n, k, state.dark) for k, n in enumerate(counts, 1)), united, united]
+
+    def paint(view: int, coarse: Coarse | None) -> Colours | Rgb:
+        if view < 2:
+            plain = (quiet.surface_1, quiet.surface_2)[view]
+            return surface_colours(patches[view], plain, state.dark, coarse)
+        if view == 2:
+            return united_colours(comparison, state.chain, state.dark, coarse)
+        kind, scale = state.heatmap, visible_part(state.scale)
+        return heatmap_colours(comparison, kind, scale, state.brush, state.dark, coarse)
+
+    def node_colours(view: int) -> Colours:
+        if view < 2:
+            return plain_nodes(len(patches[view].points), view + 1, state.dark)
+        return united_nodes(comparison, state.dark)
+
     lines, line_colours = lines_of(content, state, quiet)
     layers = [
         MeshLayer(
             patch=patch,
-            colours=colour,
-            nodes=nodes[view],
+            colours=None if sketch and patch.coarse else paint(view, None),
+            coarse_colours=paint(view, patch.coarse) if patch.coarse else None,
+            nodes=None if sketch else node_colours(view),
             relief=state.relief,
             shaded=state.relief or view < 2,
             edges=state.edges,
             lines=lines,
             line_colours=line_colours,
         )
-        for view, (patch, colour) in enumerate(zip(patches, colours, strict=True))
+        for view, patch in enumerate(patches)
     ]
     return Scene(layers=tuple(layers), palette=quiet)
+
+
+def visible_part(scale: Scale) -> Scale:
+    """Return the scale without what its colours do not show."""
+    if scale.banded:
+        return Scale(tolerances=scale.tolerances, banded=True)
+    return Scale(limit=scale.limit, tolerances=())
+
+
+def forget() -> None:
+    """Let go of all that is kept of comparisons shown before."""
+    kept = (plain_nodes, united_nodes, surface_colours, united_colours, heatmap_colours, profile_of)
+    for function in kept:
+        function.cache_clear()
 
 
 @lru_cache(maxsize=2)
@@ -131,41 +167,56 @@ def node_table(dark: bool) -> Colours:
     return np.array([quiet.shared, quiet.node_1, quiet.node_2, quiet.edge], dtype=np.uint8)
 
 
-@lru_cache(maxsize=2)
-def surface_colours(patch: Patch, colour: Rgb, dark: bool) -> Colours | Rgb:
-    """Return the colours of T1 or T2: pale where its surface has no data."""
+@lru_cache(maxsize=4)
+def surface_colours(
+    patch: Patch, colour: Rgb, dark: bool, coarse: Coarse | None = None
+) -> Colours | Rgb:
+    """Return the colours of T1 or T2, or of its `coarse` patch: pale where it has no data."""
     if patch.data is None:
         return colour
+    data = patch.data if coarse is None else patch.data[coarse.source]
     table = np.array([colour, colour], dtype=np.uint8)
     table = faded(table, np.array([True, False]), palette(dark).background)
-    return np.asarray(table[patch.data.astype(np.intp)])
+    return np.asarray(table[data.astype(np.intp)])
 
 
-@lru_cache(maxsize=1)
-def united_colours(comparison: Comparison, chosen: int | None, dark: bool) -> Colours:
-    """Return (M, 3) the colours of T: clouts quiet, each chain its own, a `chosen` one alone."""
+@lru_cache(maxsize=2)
+def united_colours(
+    comparison: Comparison, chosen: int | None, dark: bool, coarse: Coarse | None = None
+) -> Colours:
+    """Return the colours of T: clouts quiet, each chain its own, a `chosen` one alone.
+
+    (M, 3), or one for each triangle of the `coarse` patch.
+    """
     quiet, united = palette(dark), comparison.united
-    seen = np.bitwise_and.reduce(united.label[united.triangles], axis=1)
+    triangles, chain = united.triangles, united.chain
+    if coarse is not None:
+        triangles, chain = triangles[coarse.source], chain[coarse.source]
+    seen = np.bitwise_and.reduce(united.label[triangles], axis=1)
     table = np.array([quiet.shared, quiet.surface_1, quiet.surface_2, quiet.shared], np.uint8)
     colours = table[seen]
-    inside = united.chain >= 0
-    colours[inside] = chain_colours(united.chain_closed)[united.chain[inside]]
+    inside = chain >= 0
+    colours[inside] = chain_colours(united.chain_closed)[chain[inside]]
     if chosen is not None:
-        colours = faded(colours, united.chain != chosen, quiet.background)
+        colours = faded(colours, chain != chosen, quiet.background)
     return colours
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=2)
 def heatmap_colours(
     comparison: Comparison,
     heatmap: Heatmap,
     scale: Scale,
     brush: tuple[float, float] | None,
     dark: bool,
+    coarse: Coarse | None = None,
 ) -> Colours:
-    """Return (M, 3) the colours of the heatmap; what lies outside `brush` fades."""
+    """Return the colours of the heatmap; what lies outside `brush` fades.
+
+    (M, 3), or one for each triangle of the `coarse` patch.
+    """
     quiet = palette(dark)
-    values = values_of(comparison, heatmap)
+    values = values_of(comparison, heatmap, None if coarse is None else coarse.source)
     signed = heatmap is Heatmap.SIGNED
     if heatmap is Heatmap.TRUST:
         table = np.array([*TRUST_COLOURS.values(), quiet.no_data], np.uint8)

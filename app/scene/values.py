@@ -26,32 +26,37 @@ class Trust(IntEnum):
     NOT_COMPARED = 3
 
 
-def values_of(comparison: Comparison, heatmap: Heatmap) -> NDArray[np.float64]:
-    """Return (M,) the values `heatmap` shows; NaN where there is none.
+def values_of(
+    comparison: Comparison, heatmap: Heatmap, some: NDArray[np.int64] | None = None
+) -> NDArray[np.float64]:
+    """Return (M,) the values `heatmap` shows, or those of `some` triangles; NaN without one.
 
     `Heatmap.TRUST` gives the numbers of `Trust`.
     """
+    which = slice(None) if some is None else some
     match heatmap:
         case Heatmap.ABSOLUTE:
-            return comparison.mean_abs
+            return comparison.mean_abs[which]
         case Heatmap.SIGNED:
-            return comparison.mean_signed
+            return comparison.mean_signed[which]
         case Heatmap.REPRESENTATIVE:
-            return np.where(comparison.united.representative, comparison.mean_abs, np.nan)
+            both = trust_of(comparison, some) == Trust.BOTH
+            return np.where(both, comparison.mean_abs[which], np.nan)
         case Heatmap.TRUST:
-            return trust_of(comparison).astype(np.float64)
+            return trust_of(comparison, some).astype(np.float64)
         case Heatmap.HEIGHT_1:
-            return np.asarray(comparison.z1[comparison.united.triangles].mean(axis=1))
+            return np.asarray(comparison.z1[comparison.united.triangles[which]].mean(axis=1))
         case Heatmap.HEIGHT_2:
-            return np.asarray(comparison.z2[comparison.united.triangles].mean(axis=1))
+            return np.asarray(comparison.z2[comparison.united.triangles[which]].mean(axis=1))
 
 
-def trust_of(comparison: Comparison) -> NDArray[np.uint8]:
-    """Return (M,) a `Trust` for each triangle of T."""
+def trust_of(comparison: Comparison, some: NDArray[np.int64] | None = None) -> NDArray[np.uint8]:
+    """Return (M,) a `Trust` for each triangle of T, or for `some`."""
+    which = slice(None) if some is None else some
     united = comparison.united
-    seen = np.bitwise_or.reduce(united.label[united.triangles], axis=1)
+    seen = np.bitwise_or.reduce(united.label[united.triangles[which]], axis=1)
     trust = np.select(
-        [~comparison.compared, seen == 3, seen == 1],
+        [~comparison.compared[which], seen == 3, seen == 1],
         [Trust.NOT_COMPARED, Trust.BOTH, Trust.ONLY_1],
         default=Trust.ONLY_2,
     )

@@ -54,29 +54,27 @@ class Renderer:
         painted, dots = np.zeros((1, 3), dtype=np.uint8), np.zeros((3, 3), dtype=np.uint8)
         kinds: tuple[Colours | Rgb, ...] = ((0, 0, 0), painted)
         for view, colours in zip(self._views, kinds, strict=False):
-            view.apply(MeshLayer(patch, colours, dots, True, True, True, line, painted))
+            layer = MeshLayer(patch, colours, None, dots, True, True, True, line, painted)
+            view.apply(layer)
         tiles = [Tile(view, 16, 16) for view in range(len(self._views))]
         for height in (1.0, 100.0):  # with sides and without
             self.draw(Camera(height=height), tiles, fine=True)
         self.apply(None)
 
-    def apply(self, scene: Scene | None) -> set[int]:
-        """Make the views show `scene`; return those that look different now."""
-        changed = set()
+    def apply(self, scene: Scene | None) -> None:
+        """Make the views show `scene`."""
         for k, view in enumerate(self._views):
-            if view.apply(None if scene is None else scene.layers[k]):
-                changed.add(k)
+            view.apply(None if scene is None else scene.layers[k])
             if scene is not None:
                 view.colour(scene.palette.background, scene.palette.edge)
-        return changed
 
     def draw(
         self, camera: Camera, tiles: list[Tile], fine: bool, density: float = 1.0
     ) -> dict[int, Image]:
         """Return the picture of each tile's view, (height, width, 4) RGBA, top row first.
 
-        `fine` draws the triangles' sides; without it the picture comes sooner. `density` is how
-        many pixels are drawn for one on the screen, along each side.
+        `fine` draws whole patches and the triangles' sides; without it the picture comes sooner.
+        `density` is how many pixels are drawn for one on the screen, along each side.
         """
         if not tiles:
             return {}
@@ -96,8 +94,8 @@ class Renderer:
             view.renderer.SetViewport(
                 x / width, y / height, (x + tile.width) / width, (y + tile.height) / height
             )
-            view.look(camera, tile.height / density, fine)
             view.choose(fine)
+            view.look(camera, tile.height / density, fine)
             view.thicken(density)
             corners[tile.view] = (x, y, tile)
         self._window.Render()
