@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from app import settings
+from app.model.history import Change
 from app.model.tool import Tool
 from app.panels.help import HelpDialog, HelpPages
 from app.panels.palette import CommandPalette
@@ -103,6 +104,32 @@ class Actions(QObject):
         self._add(about, self.tr("&Keys and mouse"), self.show_shortcuts, "?")
         self._add(about, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
         self._add(about, self.tr("&About"), self.show_about)
+
+    def show_steps(self, undoable: Change | None, redoable: Change | None) -> None:
+        """Say what undo takes back and what redo does again."""
+        names = self._change_names()
+        undo, redo = self.tr("&Undo {}"), self.tr("&Redo {}")
+        for action, text, change in ((self.undo, undo, undoable), (self.redo, redo, redoable)):
+            action.setEnabled(change is not None)
+            action.setText(text.format(names[change] if change else "").rstrip())
+
+    def _change_names(self) -> dict[Change, str]:
+        return {
+            Change.SURFACES: self.tr("opening"),
+            Change.MOTION: self.tr("alignment"),
+            Change.OPTIONS: self.tr("option"),
+            Change.REGIONS: self.tr("region"),
+            Change.PAINT: self.tr("painting"),
+            Change.REGION_NAME: self.tr("name of a region"),
+            Change.REGION_COLOUR: self.tr("colour of a region"),
+            Change.REGION_WEIGHT: self.tr("weight of a region"),
+            Change.SCALE: self.tr("scale"),
+            Change.HEATMAP: self.tr("choice of the map"),
+            Change.EDGES: self.tr("triangles' sides"),
+            Change.PROBES: self.tr("label"),
+            Change.SECTION: self.tr("section"),
+            Change.LANDMARKS: self.tr("landmark"),
+        }
 
     def stop(self) -> None:
         """Stop comparing; where nothing runs, let go of what is picked, chosen or brushed."""

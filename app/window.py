@@ -135,7 +135,7 @@ class MainWindow(QMainWindow):
         from app.controllers.showing import Showing
 
         self.display.warm_up()
-        self.session = Session()
+        self.session = Session(self.display)
         self.opening = Opening(self)
         self.showing = Showing(self)
         self.exporting = Exporting(self)
@@ -186,7 +186,13 @@ class MainWindow(QMainWindow):
     @property
     def runners(self) -> "tuple[Runner, ...]":
         """All that can be at work beside the window."""
-        return (self.session.runner, self.exporting.runner, self.alignment_of.runner)
+        return (
+            self.session.runner,
+            self.exporting.runner,
+            self.alignment_of.runner,
+            self.sessions.saving,
+            self.sessions.opening,
+        )
 
     @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

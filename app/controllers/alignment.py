@@ -28,7 +28,6 @@ class Alignment(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        self.pairs: list[Pair] = []
         self.runner = Runner()
         self.runner.finished.connect(self._move)
         self.runner.failed.connect(window.banner.tell)
@@ -44,8 +43,15 @@ class Alignment(QObject):
         window.display.tool_changed.connect(panel.show_tool)
         window.display.landmark_picked.connect(self.add_landmark)
         session.compared.connect(self._compared)
+        window.display.changed.connect(self._landmarks_changed)
+        self._marked: tuple[Pair, ...] = ()
         panel.show_pairs(self.pairs)
         self._show()
+
+    @property
+    def pairs(self) -> tuple[Pair, ...]:
+        """The landmarks."""
+        return self._window.display.state.landmarks
 
     def add_landmark(self, surface: int, point: NDArray[np.float64]) -> None:
         """Take a place on a surface, in the comparison's coordinates."""
@@ -57,10 +63,15 @@ class Alignment(QObject):
         found: Point = (float(place[0]), float(place[1]), float(place[2]))
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
         pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
-        self.pairs = [*(self.pairs[:-1] if last else self.pairs), pair]
-        self._show_landmarks()
+        pairs = (*(self.pairs[:-1] if last else self.pairs), pair)
+        self._window.display.change(landmarks=pairs)
+
+    def _landmarks_changed(self) -> None:
+        if self.pairs is not self._marked:
+            self._show_landmarks()
 
     def _show_landmarks(self) -> None:
+        self._marked = self.pairs
         shown, marks = self._window.session.shown, []
         if shown is not None:
             motions = _to_comparison(shown)
@@ -75,8 +86,7 @@ class Alignment(QObject):
 
     def clear(self) -> None:
         """Forget the landmarks."""
-        self.pairs = []
-        self._show_landmarks()
+        self._window.display.change(landmarks=())
 
     def fit_landmarks(self) -> None:
         """Move surface 2 so that its landmarks come nearest to those of 1."""
@@ -140,7 +150,8 @@ class Alignment(QObject):
         if result.document.motion == NOT_MOVED:
             self._before = None
         if result.document.paths != self._paths:  # landmarks belong to their files
-            self._paths, self.pairs = result.document.paths, []
+            self._paths = result.document.paths
+            self._window.display.change(landmarks=())
         self._show_landmarks()
         self._show()
 

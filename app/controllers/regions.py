@@ -1,36 +1,31 @@
 """Draws regions, weighs them, keeps them."""
 
-import json
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QColor, QGuiApplication
+from PySide6.QtWidgets import QColorDialog, QFileDialog
 
 from app.jobs.comparing import Compared
 from app.model.document import Document
-from app.model.region import Disc, Polygon, Region
-from app.model.session_file import regions_from, write
+from app.model.region import Region, Stroke
+from app.model.session_file import regions_from, regions_text, write
 from app.model.tool import Tool
+from app.panels.regions import COLOURS
 from surfcmp_core.errors import InputError
 
 if TYPE_CHECKING:
     from app.window import MainWindow
 
-COLOURS = (
-    (214, 39, 40),
-    (31, 119, 180),
-    (44, 160, 44),
-    (148, 103, 189),
-    (255, 127, 14),
-    (23, 190, 207),
-)
+FINEST = 0.1
+"""A brush's path is kept to this share of its radius."""
+TAKING_KEYS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.AltModifier
 
 
 class Regions(QObject):
-    """Each stroke, name and weight is a step of the history."""
+    """Each stroke, name, colour and weight is a step of the history."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -39,6 +34,7 @@ class Regions(QObject):
         panel.tool_asked.connect(window.display.use)
         panel.renamed.connect(lambda k, name: self._change(k, name=name or self._name()))
         panel.weighed.connect(self._weigh)
+        panel.coloured.connect(self.colour)
         panel.remove_asked.connect(self.remove)
         panel.save_asked.connect(self._ask_save)
         panel.load_asked.connect(self._ask_load)
@@ -53,13 +49,25 @@ class Regions(QObject):
         """The document in force."""
         return self._window.session.document
 
+    @property
+    def selected(self) -> int:
+        """The number of the selected region; -1 for none."""
+        selected = self._window.regions.selected
+        return selected if selected < len(self.document.regions) else -1
+
     def draw(self, tool: Tool, path: tuple[tuple[float, float], ...]) -> None:
-        """Add a lasso's or a brush's path to the selected region, or to a new one."""
+        """Take in a path: of the lasso, of the brush, or of a section.
+
+        A brush adds to the selected region; each lasso is a region of its own. With the key
+        Shift or Alt held, or "Take away" on, both take away from the selected region.
+        """
+        takes = self._window.regions.take.isChecked()
+        takes |= bool(QGuiApplication.keyboardModifiers() & TAKING_KEYS)
         if tool is Tool.LASSO and len(path) > 2:
-            self._add(polygons=(path,), discs=())
+            self._add(Stroke(path, takes=takes), fresh=not takes)
         elif tool is Tool.BRUSH and path:
             radius = self._window.regions.radius.value
-            self._add(polygons=(), discs=dabs(path, radius))
+            self._add(Stroke(thinned(path, FINEST * radius), radius, takes), fresh=False)
         elif tool is Tool.SECTION and len(path) > 1:
             self._window.display.change(section=(*path[0], *path[-1]))
 
@@ -69,10 +77,20 @@ class Regions(QObject):
         if 0 <= number < len(regions):
             self._set(regions[:number] + regions[number + 1 :])
 
+    def colour(self, number: int, colour: tuple[int, int, int] | None) -> None:
+        """Give a region a colour; None asks for it."""
+        if colour is None:
+            old = QColor(*self.document.regions[number].colour)
+            chosen = QColorDialog.getColor(old, self._window, self.tr("Colour of the region"))
+            if not chosen.isValid():
+                return
+            colour = (chosen.red(), chosen.green(), chosen.blue())
+        self._change(number, colour=colour)
+
     def save(self, path: Path) -> None:
         """Save the regions, completely or not at all."""
         try:
-            write(path, json.dumps([asdict(region) for region in self.document.regions], indent=1))
+            write(path, regions_text(self.document.regions))
         except OSError as error:
             self._window.banner.tell(f"{path.name}: {error.strerror}")
 
@@ -87,14 +105,18 @@ class Regions(QObject):
         else:
             self._set(self.document.regions + found)
 
-    def _add(self, polygons: tuple[Polygon, ...], discs: tuple[Disc, ...]) -> None:
-        regions, selected = list(self.document.regions), self._window.regions.selected
-        if not 0 <= selected < len(regions) or polygons:  # each lasso is a region of its own
+    def _add(self, stroke: Stroke, fresh: bool) -> None:
+        """Add a stroke to the selected region, or begin a `fresh` one with it."""
+        regions, selected = list(self.document.regions), self.selected
+        if stroke.takes and selected < 0:
+            self._window.banner.tell(self.tr("Select the region to take away from"), "note")
+            return
+        if fresh or selected < 0:
             colour = COLOURS[len(regions) % len(COLOURS)]
-            regions.append(Region(self._name(), colour, polygons=polygons, discs=discs))
+            regions.append(Region(self._name(), colour, strokes=(stroke,)))
         else:
             old = regions[selected]
-            regions[selected] = replace(old, discs=old.discs + discs)
+            regions[selected] = replace(old, strokes=(*old.strokes, stroke))
         self._set(tuple(regions))
 
     def _name(self) -> str:
@@ -141,12 +163,10 @@ class Regions(QObject):
             self.load(Path(name))
 
 
-def dabs(path: tuple[tuple[float, float], ...], radius: float) -> tuple[Disc, ...]:
-    """Return discs along a stroke, half a radius apart."""
-    points = np.array(path, dtype=np.float64)
-    steps = np.hypot(*np.diff(points, axis=0).T) if len(points) > 1 else np.zeros(0)
-    along = np.concatenate([[0.0], np.cumsum(steps)])
-    count = max(int(along[-1] / (radius / 2)) + 1, 1)
-    places = np.linspace(0.0, along[-1], count)
-    x, y = (np.interp(places, along, points[:, axis]) for axis in range(2))
-    return tuple((float(a), float(b), radius) for a, b in zip(x, y, strict=True))
+def thinned(path: tuple[tuple[float, float], ...], step: float) -> tuple[tuple[float, float], ...]:
+    """Return the path without places that lie nearer than `step` to the one before."""
+    kept = [path[0]]
+    for place in path[1:]:
+        if (place[0] - kept[-1][0]) ** 2 + (place[1] - kept[-1][1]) ** 2 >= step * step:
+            kept.append(place)
+    return (*kept, path[-1]) if path[-1] != kept[-1] else tuple(kept)

@@ -1,30 +1,51 @@
 """What is compared: takes files in, keeps the history, has the core run."""
 
+import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from app.controllers.display import Display
 from app.jobs.comparing import Compared, compared
 from app.jobs.runner import Runner
 from app.model.document import Document
-from app.model.history import History
+from app.model.history import History, Step
+from app.model.view_state import KEPT, ViewState
+
+MERGED_SECONDS = 0.6
+"""Changes of the scale that follow each other so fast are one drag, and one step."""
 
 
 class Session(QObject):
-    """The documents so far, and the comparison that belongs to the one in force."""
+    """The steps so far, and the comparison that belongs to the one in force.
+
+    A step is a document and the kept part of the view. Every change of either is a step, but for
+    what the view takes over from a finished comparison: that belongs to the document's own step.
+    """
 
     changed = Signal()
-    """Another document is in force, or work has begun or ended."""
+    """Another step is in force, or work has begun or ended."""
     compared = Signal(object)
     """Compared: a comparison is finished."""
     failed = Signal(str)
 
-    def __init__(self) -> None:
+    def __init__(self, display: Display) -> None:
         super().__init__()
-        self.history = History(Document())
+        self._display = display
+        self._view = display.state.kept
+        self.history = History(Step(Document(), self._view))
         self.runner = Runner()
         self.shown: Compared | None = None
+        self._follows = False
+        """Whether changes of the view follow from a comparison."""
+        self._loaded: ViewState | None = None
+        self._restores = False
+        """Whether the view of the step is to be restored with its comparison."""
+        self._last = 0.0
+        display.changed.connect(self._keep_view)
         self.runner.finished.connect(self._finish)
         self.runner.failed.connect(self._fail)
         self.runner.cancelled.connect(self._back)
@@ -32,7 +53,7 @@ class Session(QObject):
     @property
     def document(self) -> Document:
         """The document in force."""
-        return self.history.current
+        return self.history.current.document
 
     def open(self, paths: Sequence[Path], number: int | None = None) -> None:
         """Take in one surface as `number` (or the one missing), or two as both."""
@@ -45,20 +66,55 @@ class Session(QObject):
             document = document.with_path(number or missing, files[0])
         self.set_document(document)
 
-    def set_document(self, document: Document) -> None:
-        """Put another document in force and compare where it is complete."""
-        if self.history.push(document):
+    def set_document(self, document: Document, **view: Any) -> None:
+        """Put another document in force, with fields of the view, and compare if complete."""
+        old = self.history.current
+        kept = replace(old.view, **view)
+        if not document.same_places(old.document):
+            kept = replace(kept, probes=(), section=None)
+        if document.paths != old.document.paths:
+            kept, self._restores = replace(kept, landmarks=()), False
+        if document != old.document and self._push(Step(document, kept)):
             self._run()
+        self._display.change(**view)
+
+    def restore(self, document: Document, state: ViewState) -> None:
+        """Put a document in force that was looked at in this way."""
+        self._push(Step(document, state.kept))
+        self._loaded, self._restores = state, True
+        self._run()
 
     def undo(self) -> None:
-        """Step back to the document before."""
+        """Step back."""
         self.history.undo()
+        self._restores = True
         self._run()
 
     def redo(self) -> None:
         """Step forward again."""
         self.history.redo()
+        self._restores = True
         self._run()
+
+    def _push(self, step: Step) -> bool:
+        now = time.monotonic()
+        merged, self._last = now - self._last < MERGED_SECONDS, now
+        return self.history.push(step, merged=merged)
+
+    def _keep_view(self) -> None:
+        """Make a step of what changed in the view."""
+        old, self._view = self._view, self._display.state.kept
+        changes = {
+            name: getattr(self._view, name)
+            for name in KEPT
+            if getattr(self._view, name) != getattr(old, name)
+        }
+        step = self.history.current
+        view = replace(step.view, **changes)
+        if self._follows:
+            self.history.amend(view)
+        elif self._push(replace(step, view=view)):
+            self.changed.emit()
 
     def _run(self) -> None:
         document = self.document
@@ -66,12 +122,33 @@ class Session(QObject):
         if document.complete and (self.shown is None or document != self.shown.document):
             before = self.shown
             self.runner.start(lambda progress: compared(document, before, progress))
+        elif self._restores:
+            self._restore(self.history.current.view)
         self.changed.emit()
 
     def _finish(self, result: Compared) -> None:
         self.shown = result
+        self.history.begin()
+        view = self.history.current.view
+        self._follows = True
         self.compared.emit(result)
+        if self._restores:
+            self._restore(view)
+        self._follows = False
         self.changed.emit()
+
+    def _restore(self, view: ViewState) -> None:
+        """Look at what is shown as its step says."""
+        state = self._loaded or self._display.state
+        state = replace(state, **{name: getattr(view, name) for name in KEPT})
+        self._loaded, self._restores = None, False
+        if self.shown is not None:
+            state = state.within(len(self.shown.comparison.united.triangles))
+        changes = {name: getattr(state, name) for name in ViewState.__slots__}
+        del changes["dark"], changes["filled"]
+        follows, self._follows = self._follows, True
+        self._display.change(**changes)
+        self._follows = follows
 
     def _fail(self, message: str) -> None:
         self._back()
@@ -79,7 +156,16 @@ class Session(QObject):
 
     def _back(self) -> None:
         """Return to the document of what is shown, so that inputs and numbers belong together."""
-        self.history.drop()
-        if self.shown is not None:
-            self.history.push(self.shown.document)
+        self._loaded, self._restores = None, False
+        if self.shown is None:
+            self.history.drop()
+        else:
+            document = self.shown.document
+            self.history.go_to(document)
+            self._follows = True
+            scale = self._display.state.scale
+            tolerances = document.options.tolerances
+            self._display.change(scale=replace(scale, tolerances=tolerances))
+            self._follows = False
+            self._push(Step(document, self._display.state.kept))
         self.changed.emit()

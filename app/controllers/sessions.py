@@ -1,5 +1,7 @@
 """Saving and opening sessions; after a crash, the last one is offered."""
 
+import shutil
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -7,15 +9,17 @@ from platformdirs import user_state_path
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
-from app.model.document import Document
+from app.jobs.keeping import Fault, Located, Opened, open_session, save_session
+from app.jobs.runner import Runner
 from app.model.session_file import ENDING, from_text, to_text, write
-from app.model.view_state import ViewState
 from surfcmp_core.errors import InputError
 
 if TYPE_CHECKING:
     from app.window import MainWindow
 
 AUTOSAVE_MILLISECONDS = 3000
+SMALL = 64 << 20
+"""Scans of so many bytes in all are put into the session unless the user says otherwise."""
 
 
 class Sessions(QObject):
@@ -26,27 +30,38 @@ class Sessions(QObject):
         self._window = window
         folder = user_state_path("surfcmp", appauthor=False)
         self.autosave = autosave or folder / f"autosave{ENDING}"
-        self._wanted: tuple[Document, ViewState] | None = None
+        self._unpacked: set[Path] = set()
+        """Folders with scans out of sessions; they go when the window does."""
+        self.saving, self.opening = Runner(), Runner()
+        self.saving.finished.connect(self._saved)
+        self.opening.finished.connect(self._opened)
+        for runner in (self.saving, self.opening):
+            runner.failed.connect(window.banner.tell)
+        self._located: Located = {}
         self._later = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
         self._later.timeout.connect(self._save_now)
         window.session.changed.connect(self._later.start)
         window.display.changed.connect(self._later.start)
 
     def ask_save(self) -> None:
-        """Ask where to and save the session."""
-        name = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save the session"), f"comparison{ENDING}", f"*{ENDING}"
-        )[0]
+        """Ask where to, and whether with the scans, and save the session."""
+        paths = self._window.session.document.paths
+        size = sum(path.stat().st_size for path in paths if path is not None and path.is_file())
+        text = self.tr("Session with its scans, {:.1f} MB (*{})").format(size / 1e6, ENDING)
+        kinds = [text, self.tr("Session without its scans (*{})").format(ENDING)]
+        if size > SMALL:
+            kinds.reverse()
+        name, kind = QFileDialog.getSaveFileName(
+            self._window, self.tr("Save the session"), f"comparison{ENDING}", ";;".join(kinds)
+        )
         if name:
-            self.save(Path(name).with_suffix(ENDING))
+            self.save(Path(name).with_suffix(ENDING), embed=kind == text)
 
-    def save(self, path: Path) -> None:
-        """Save the session, completely or not at all."""
-        try:
-            write(path, self._text(path.parent))
-        except OSError as error:
-            text = self.tr("{} cannot be written ({})")
-            self._window.banner.tell(text.format(path, error.strerror))
+    def save(self, path: Path, *, embed: bool = True) -> None:
+        """Save the session beside the window, completely or not at all."""
+        document, state = self._window.session.document, self._window.display.state
+        work = partial(save_session, path, document, state, self._hashes(), embed)
+        self.saving.start(work)
 
     def ask_open(self) -> None:
         """Ask for a session and open it."""
@@ -56,30 +71,10 @@ class Sessions(QObject):
         if name:
             self.open(Path(name))
 
-    def open(self, path: Path) -> None:
-        """Open a session."""
-        try:
-            text = path.read_text(encoding="utf-8")
-            document, state, _ = from_text(text, path.parent, path.name)
-        except (OSError, UnicodeDecodeError) as error:
-            self._window.banner.tell(self.tr("{}: cannot be read ({})").format(path.name, error))
-            return
-        except InputError as error:
-            self._window.banner.tell(str(error))
-            return
-        self._wanted = (document, state)
-        session = self._window.session
-        if session.shown is not None and session.shown.document == document:
-            self.apply_state(document)
-        session.set_document(document)
-
-    def apply_state(self, document: Document) -> None:
-        """Look at `document` as it was looked at when it was saved."""
-        if self._wanted is not None and self._wanted[0] == document:
-            state, self._wanted = self._wanted[1], None
-            dark = self._window.display.state.dark
-            changes = {name: getattr(state, name) for name in ViewState.__slots__}
-            self._window.display.change(**{**changes, "dark": dark})
+    def open(self, path: Path, located: Located | None = None) -> None:
+        """Open a session; `located` says where the user found scans that were not in place."""
+        self._located = located or {}
+        self.opening.start(partial(open_session, path, self._scans, self._located))
 
     def offer_recovery(self) -> bool:
         """Offer what was autosaved, if the program ended without saying so; say whether it did."""
@@ -88,8 +83,10 @@ class Sessions(QObject):
         rescued = self.autosave.with_name(f"rescued{ENDING}")
         try:
             self.autosave.replace(rescued)
-        except OSError:
+            saved = from_text(rescued.read_text(encoding="utf-8"), rescued.parent, rescued.name)
+        except (OSError, UnicodeDecodeError, InputError):
             return False
+        self._adopt(saved.document.paths)
         self._window.banner.ask(
             self.tr("The last session did not end properly."),
             self.tr("Restore it"),
@@ -101,20 +98,71 @@ class Sessions(QObject):
         """Forget the autosaved session: this one ends properly."""
         self._later.stop()
         self.autosave.unlink(missing_ok=True)
+        for folder in self._unpacked:
+            shutil.rmtree(folder, ignore_errors=True)
+
+    @property
+    def _scans(self) -> Path:
+        return self.autosave.parent / "scans"
+
+    def _adopt(self, paths: tuple[Path | None, Path | None]) -> None:
+        """Take care of those files that were unpacked from a session."""
+        folders = {path.parent for path in paths if path is not None}
+        self._unpacked |= {folder for folder in folders if folder.parent == self._scans}
+
+    def _saved(self, path: Path) -> None:
+        self._window.banner.tell(self.tr("Saved {}").format(path), "note")
+
+    def _opened(self, opened: Opened) -> None:
+        if opened.fault is not None:
+            self._ask_for_scan(opened.path, opened.fault)
+            return
+        self._adopt(opened.document.paths)
+        self._window.banner.hide()
+        self._window.session.restore(opened.document, opened.state)
+
+    def _ask_for_scan(self, path: Path, fault: Fault) -> None:
+        """Say what is amiss with a scan, and offer what can be done."""
+        texts = {
+            "missing": self.tr("{} is not where it was when the session was saved."),
+            "changed": self.tr("{} has changed since the session was saved."),
+            "another": self.tr("This file is not the {} that the session was saved with."),
+        }
+        located = dict(self._located)
+        if fault.kind == "another" and fault.path is not None:
+            located[fault.number] = (fault.path, True)
+            answer, work = self.tr("Use it all the same"), partial(self.open, path, located)
+        else:
+            answer, work = self.tr("Locate…"), partial(self._ask_where, path, fault, located)
+        self._window.banner.ask(texts[fault.kind].format(fault.name), answer, work)
+
+    def _ask_where(self, path: Path, fault: Fault, located: dict[int, tuple[Path, bool]]) -> None:
+        title = self.tr("Where is {}?").format(fault.name)
+        start = str(fault.path or path.parent)
+        name = QFileDialog.getOpenFileName(self._window, title, start)[0]
+        if name:
+            self.open(path, {**located, fault.number: (Path(name), False)})
 
     def _save_now(self) -> None:
-        if not self._window.session.document.complete:
+        """Save the session, without its scans, in case the program does not end properly."""
+        session = self._window.session
+        if not session.document.complete:
             return
+        folder = self.autosave.parent
         try:
-            self.autosave.parent.mkdir(parents=True, exist_ok=True)
-            write(self.autosave, self._text(self.autosave.parent))
+            folder.mkdir(parents=True, exist_ok=True)
+            state = self._window.display.state
+            write(
+                self.autosave, to_text(session.document, state, self._hashes(), folder.absolute())
+            )
         except OSError:
             self._later.stop()  # a full disk must not disturb the work
 
-    def _text(self, folder: Path) -> str:
+    def _hashes(self) -> tuple[str, str]:
+        """Return the SHA-256 of the inputs, empty where they were not read yet."""
         session = self._window.session
         shown = session.shown
-        one = two = ""
-        if shown is not None and shown.document.paths == session.document.paths:
-            one, two = (surface.sha256 for surface in shown.comparison.surfaces)
-        return to_text(session.document, self._window.display.state, (one, two), folder.absolute())
+        if shown is None or shown.document.paths != session.document.paths:
+            return "", ""
+        one, two = (surface.sha256 for surface in shown.comparison.surfaces)
+        return one, two

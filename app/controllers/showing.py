@@ -71,8 +71,7 @@ class Showing(QObject):
         window, session = self._window, self._window.session
         busy = session.runner.busy
         window.toolbar.show_paths(session.document.paths)
-        window.actions_of.undo.setEnabled(session.history.can_undo)
-        window.actions_of.redo.setEnabled(session.history.can_redo)
+        window.actions_of.show_steps(session.history.undoable, session.history.redoable)
         window.actions_of.swap.setEnabled(session.document.complete)
         window.empty.tell(session.document.paths, busy)
         window.options.show_document(session.document)
@@ -100,7 +99,6 @@ class Showing(QObject):
         window.chains.show_chains(content.chains, self.unit)
         window.status.setText(self._summary(content))
         window.display.set_content(content)
-        window.sessions.apply_state(result.document)
         names = " – ".join(path.name for path in result.document.paths if path)
         window.setWindowTitle(f"{names} – surfcmp")
         if comparison.warnings:
@@ -205,11 +203,9 @@ class Showing(QObject):
             frame.measure(height / max(frame.canvas.height(), 1), self.unit)
 
     def _scale_chosen(self, scale: Scale) -> None:
-        window, document = self._window, self._window.session.document
-        window.display.change(scale=scale)
-        if scale.tolerances != document.options.tolerances:
-            options = replace(document.options, tolerances=scale.tolerances)
-            window.session.set_document(replace(document, options=options))
+        session = self._window.session
+        options = replace(session.document.options, tolerances=scale.tolerances)
+        session.set_document(replace(session.document, options=options), scale=scale)
 
     def _fit(self) -> None:
         display = self._window.display

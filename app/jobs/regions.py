@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.region import Polygon, Region
+from app.model.region import Region
 
 if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
     from surfcmp_core.measures.measures import Measures
+
+
+Covers = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.bool_]]
+"""From x and y (n,) to which of the points are covered."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,28 +48,43 @@ def region_mask(
 ) -> NDArray[np.bool_]:
     """Return which points lie in a region."""
     mask = np.zeros(len(x), dtype=bool)
-    for polygon in region.polygons:
-        mask |= inside(x, y, polygon)
-    for cx, cy, radius in region.discs:
-        mask |= (x - cx) ** 2 + (y - cy) ** 2 <= radius**2
+    for stroke in region.strokes:
+        path = np.array(stroke.path, dtype=np.float64)
+        low, high = path.min(axis=0) - stroke.radius, path.max(axis=0) + stroke.radius
+        near = np.flatnonzero((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]))
+        covers = beside(path, stroke.radius) if stroke.radius > 0 else inside(path)
+        mask[near[covers(x[near], y[near])]] = not stroke.takes
     return mask
 
 
-def inside(x: NDArray[np.float64], y: NDArray[np.float64], polygon: Polygon) -> NDArray[np.bool_]:
-    """Return which points lie inside a polygon (even-odd rule)."""
-    odd = np.zeros(len(x), dtype=bool)
-    corners = np.array(polygon, dtype=np.float64)
-    near = (x >= corners[:, 0].min()) & (x <= corners[:, 0].max())
-    near &= (y >= corners[:, 1].min()) & (y <= corners[:, 1].max())
-    px, py = x[near], y[near]
-    found = np.zeros(len(px), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        if y0 == y1:
-            continue
-        crosses = (y0 <= py) != (y1 <= py)
-        found ^= crosses & (px < x0 + (py - y0) * (x1 - x0) / (y1 - y0))
-    odd[near] = found
-    return odd
+def inside(path: NDArray[np.float64]) -> Covers:
+    """Return what says which points lie inside a polygon (even-odd rule)."""
+
+    def covers(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
+        found = np.zeros(len(x), dtype=bool)
+        for (x0, y0), (x1, y1) in zip(path, np.roll(path, -1, axis=0), strict=True):
+            if y0 != y1:
+                crosses = (y0 <= y) != (y1 <= y)
+                found ^= crosses & (x < x0 + (y - y0) * (x1 - x0) / (y1 - y0))
+        return found
+
+    return covers
+
+
+def beside(path: NDArray[np.float64], radius: float) -> Covers:
+    """Return what says which points lie within a radius of a path."""
+
+    def covers(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
+        found = np.zeros(len(x), dtype=bool)
+        for (x0, y0), (x1, y1) in zip(path, path[1:] if len(path) > 1 else path, strict=False):
+            dx, dy = x1 - x0, y1 - y0
+            length = dx * dx + dy * dy
+            along = ((x - x0) * dx + (y - y0) * dy) / length if length > 0 else np.zeros(len(x))
+            along = np.clip(along, 0.0, 1.0)
+            found |= (x - x0 - along * dx) ** 2 + (y - y0 - along * dy) ** 2 <= radius**2
+        return found
+
+    return covers
 
 
 def measured_regions(

@@ -72,3 +72,8 @@ class Document:
     def swapped(self) -> Self:
         """Return the document with the surfaces' roles exchanged, where nothing was moved."""
         return replace(self, paths=(self.paths[1], self.paths[0]), motion=NOT_MOVED)
+
+    def same_places(self, other: "Document") -> bool:
+        """Whether both have the same T, so that places on one are places on the other."""
+        options = replace(other.options, tolerances=self.options.tolerances)
+        return replace(other, options=options, regions=self.regions) == self

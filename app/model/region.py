@@ -2,14 +2,32 @@
 
 from dataclasses import dataclass
 
-Polygon = tuple[tuple[float, float], ...]
-Disc = tuple[float, float, float]
-"""x, y of the centre, and the radius."""
+Path = tuple[tuple[float, float], ...]
+"""x, y of where the mouse went."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """One drag of the lasso or of the brush.
+
+    Attributes
+    ----------
+    path : Path
+    radius : float
+        Of the brush: it covers what is that near to the path. 0: a lasso, it covers what lies
+        inside an odd number of windings of the path.
+    takes : bool
+        What it covers is taken away from the region, else added to it.
+    """
+
+    path: Path
+    radius: float = 0.0
+    takes: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Region:
-    """Where a lasso and a brush went; it stays in place when surfaces or grids change.
+    """Strokes, one after the other; they stay in place when surfaces or grids change.
 
     Attributes
     ----------
@@ -17,14 +35,10 @@ class Region:
     colour : (int, int, int)
     weight : float
         µ of its triangles.
-    polygons : tuple of Polygon
-        A point belongs where it lies inside an odd number of windings of any of them.
-    discs : tuple of Disc
-        Dabs of the brush.
+    strokes : tuple of Stroke
     """
 
     name: str
     colour: tuple[int, int, int]
     weight: float = 1.0
-    polygons: tuple[Polygon, ...] = ()
-    discs: tuple[Disc, ...] = ()
+    strokes: tuple[Stroke, ...] = ()

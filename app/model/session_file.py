@@ -1,20 +1,49 @@
-"""A session as a file: the document, and how it was looked at."""
+"""A session as text: the document, how it was looked at, and which scans it is about."""
 
 import json
 import os
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from app.model.document import Document, Motion
-from app.model.region import Region
+from app.model.pair import Pair
+from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Place, Scale, ViewState
 from surfcmp_core.comparison import Options
 from surfcmp_core.errors import InputError
 
 KIND = "surfcmp session"
-VERSION = 1
+VERSION = 2
+"""1 had regions without an order of their strokes, and never held scans."""
 ENDING = ".surfcmp"
+
+
+@dataclass(frozen=True, slots=True)
+class Scan:
+    """An input as the session knows it.
+
+    Attributes
+    ----------
+    name : str
+    sha256 : str
+        Empty where unknown.
+    places : tuple of Path
+        Where it may lie: where it was, and beside the session.
+    """
+
+    name: str
+    sha256: str
+    places: tuple[Path, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Saved:
+    """What a session says; the document's paths are where its scans were."""
+
+    document: Document
+    state: ViewState
+    scans: tuple[Scan | None, Scan | None]
 
 
 def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folder: Path) -> str:
@@ -30,7 +59,7 @@ def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folde
     inputs = [
         None
         if path is None
-        else {"file": str(path), "beside": os.path.relpath(path, folder), "sha256": sha}
+        else {"file": str(path), "beside": _beside(path, folder), "sha256": sha}
         for path, sha in zip(document.paths, hashes, strict=True)
     ]
     return json.dumps(
@@ -49,8 +78,8 @@ def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folde
     )
 
 
-def from_text(text: str, folder: Path, name: str) -> tuple[Document, ViewState, tuple[str, str]]:
-    """Return the document, the view state and the inputs' hashes of a session.
+def from_text(text: str, folder: Path, name: str) -> Saved:
+    """Return what the session called `name`, in `folder`, says.
 
     Raises
     ------
@@ -59,22 +88,27 @@ def from_text(text: str, folder: Path, name: str) -> tuple[Document, ViewState, 
     """
     try:
         data = json.loads(text)
-        if data["kind"] != KIND or data["version"] != VERSION:
-            raise ValueError("of another kind or version")
+        if data["kind"] != KIND:
+            raise ValueError("of another kind")
+        if data["version"] not in range(1, VERSION + 1):
+            raise ValueError("of a later version of the program")
+        one, two = (_scan(given, folder) for given in data["inputs"])
         document = Document(
-            paths=tuple(_path(given, folder) for given in data["inputs"]),  # type: ignore[arg-type]
+            paths=(one.places[0] if one else None, two.places[0] if two else None),
             options=Options(**_tuples(data["options"])),
             motion=Motion(**_tuples(data["motion"])),
             unit=str(data["unit"]),
             project=str(data["project"]),
-            regions=tuple(Region(**_tuples(region)) for region in data["regions"]),
+            regions=tuple(_region(region) for region in data["regions"]),
         )
-        hashes = tuple("" if given is None else given["sha256"] for given in data["inputs"])
-        state = _state(data["view"])
-        one, two = hashes
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        return Saved(document, _state(data["view"]), (one, two))
+    except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
         raise InputError(f"{name}: not a session of this program ({error})") from error
-    return document, state, (one, two)
+
+
+def regions_text(regions: tuple[Region, ...]) -> str:
+    """Return regions as JSON."""
+    return json.dumps([asdict(region) for region in regions], indent=1)
 
 
 def regions_from(text: str, name: str) -> tuple[Region, ...]:
@@ -86,8 +120,8 @@ def regions_from(text: str, name: str) -> tuple[Region, ...]:
         One line that names the file and the fault.
     """
     try:
-        return tuple(Region(**_tuples(region)) for region in json.loads(text))
-    except (ValueError, TypeError) as error:
+        return tuple(_region(region) for region in json.loads(text))
+    except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
         raise InputError(f"{name}: no regions ({error})") from error
 
 
@@ -101,25 +135,47 @@ def write(path: Path, text: str) -> None:
         temporary.unlink(missing_ok=True)
 
 
+def _region(data: dict[str, Any]) -> Region:
+    fields = _tuples(data)
+    strokes = [Stroke(**stroke) for stroke in fields.pop("strokes", ())]
+    strokes += [Stroke(path) for path in fields.pop("polygons", ())]  # version 1
+    strokes += [Stroke(((x, y),), radius) for x, y, radius in fields.pop("discs", ())]
+    for stroke in strokes:
+        numbers = [float(number) for place in stroke.path for number in place]
+        if not numbers or len(numbers) != 2 * len(stroke.path) or not stroke.radius >= 0:
+            raise ValueError("a stroke without places")
+    red, green, blue = fields["colour"]
+    colour = int(red), int(green), int(blue)
+    return Region(str(fields["name"]), colour, float(fields["weight"]), tuple(strokes))
+
+
 def _state(data: dict[str, Any]) -> ViewState:
     fields = _tuples(data)
-    places = [Place(**place) for place in fields["probes"]]
     picked = fields["picked"]
     return replace(
         ViewState(**fields),
         heatmap=Heatmap(fields["heatmap"]),
         scale=Scale(**fields["scale"]),
         picked=None if picked is None else Place(**picked),
-        probes=tuple(places),
+        probes=tuple(Place(**place) for place in fields["probes"]),
+        landmarks=tuple(Pair(**pair) for pair in fields.get("landmarks", ())),
     )
 
 
-def _path(given: dict[str, str] | None, folder: Path) -> Path | None:
-    """Return where an input lies: where it was, else beside the session."""
+def _scan(given: dict[str, str] | None, folder: Path) -> Scan | None:
     if given is None:
         return None
     path, beside = Path(given["file"]), (folder / given["beside"]).resolve()
-    return beside if beside.is_file() and not path.is_file() else path
+    places = (path,) if beside == path else (path, beside)
+    name = given["file"].replace("\\", "/").rsplit("/", 1)[-1]
+    return Scan(name, given["sha256"], places)
+
+
+def _beside(path: Path, folder: Path) -> str:
+    try:
+        return os.path.relpath(path, folder)
+    except ValueError:  # on another drive
+        return path.name
 
 
 def _tuples(value: Any) -> Any:

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
+from app.model.pair import Pair
+
 
 class Heatmap(StrEnum):
     """What the fourth view colours each triangle of T by."""
@@ -50,6 +52,10 @@ class Place:
     weights: tuple[float, float, float]
 
 
+KEPT = ("heatmap", "scale", "edges", "probes", "section", "landmarks")
+"""Fields of `ViewState` that are steps of the history; the others pass, as the camera does."""
+
+
 @dataclass(frozen=True, slots=True)
 class ViewState:
     """What the four views show."""
@@ -70,9 +76,23 @@ class ViewState:
     """The range of differences that stands out; the others fade."""
     section: tuple[float, float, float, float] | None = None
     """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
+    landmarks: tuple[Pair, ...] = ()
     dark: bool = False
+
+    @property
+    def kept(self) -> "ViewState":
+        """The state that undo and redo bring back; all else is as at first."""
+        return ViewState(**{name: getattr(self, name) for name in KEPT})
 
     @property
     def drawn(self) -> "ViewState":
         """The state without what is laid over the pictures and not drawn in them."""
-        return replace(self, picked=None, probes=(), filled=None)
+        return replace(self, picked=None, probes=(), filled=None, landmarks=())
+
+    def within(self, triangles: int) -> "ViewState":
+        """Return the state without places on triangles that T, with so many, does not have."""
+        there = tuple(place for place in self.probes if place.triangle < triangles)
+        picked = self.picked
+        if picked is not None and picked.triangle >= triangles:
+            picked = None
+        return replace(self, probes=there, picked=picked)

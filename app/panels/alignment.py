@@ -123,7 +123,7 @@ class AlignmentPanel(Panel):
         """Show which tool is in hand."""
         self.pick.setChecked(tool is Tool.LANDMARK)
 
-    def show_pairs(self, pairs: list[Pair]) -> None:
+    def show_pairs(self, pairs: tuple[Pair, ...]) -> None:
         """Show how many landmarks there are, and what is missing."""
         whole = sum(pair.complete for pair in pairs)
         self.use.setEnabled(whole >= 3)

@@ -6,10 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
+    QMenu,
+    QToolButton,
     QTreeWidgetItem,
     QVBoxLayout,
 )
@@ -25,12 +27,25 @@ if TYPE_CHECKING:
     from surfcmp_core.measures.measures import Measures
 
 
+COLOURS = (
+    (213, 94, 0),
+    (0, 114, 178),
+    (0, 158, 115),
+    (204, 121, 167),
+    (230, 159, 0),
+    (86, 180, 233),
+)
+"""Of regions, in the order in which they are drawn (Okabe and Ito's, told apart by all)."""
+
+
 class RegionsPanel(Panel):
     """The list of regions, and the tools that draw them."""
 
     tool_asked = Signal(object)
     renamed = Signal(int, str)
     weighed = Signal(int, float)
+    coloured = Signal(int, object)
+    """Number and colour (r, g, b); None: any other."""
     remove_asked = Signal(int)
     save_asked = Signal()
     load_asked = Signal()
@@ -46,6 +61,20 @@ class RegionsPanel(Panel):
         for button, tool in ((self.lasso, Tool.LASSO), (self.brush, Tool.BRUSH)):
             button.setCheckable(True)
             button.clicked.connect(lambda on, t=tool: self.tool_asked.emit(t if on else Tool.LOOK))
+        self.take = tool_button(
+            self.tr("Take away"),
+            self.tr("Lasso and brush take away from the selected region (or hold Shift)"),
+        )
+        self.take.setCheckable(True)
+        self.new = tool_button(
+            self.tr("New"), self.tr("The next stroke of the brush begins a new region"), plain=True
+        )
+        self.new.clicked.connect(self._let_go)
+        self.colour = tool_button(
+            self.tr("Colour"), self.tr("Another colour for the region"), plain=True
+        )
+        self.colour.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.colour.setMenu(self._colours())
         self.save = tool_button(self.tr("Save…"), self.tr("Save the regions"), plain=True)
         self.save.clicked.connect(self.save_asked)
         self.load = tool_button(self.tr("Load…"), self.tr("Load regions"), plain=True)
@@ -59,23 +88,44 @@ class RegionsPanel(Panel):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             header.resizeSection(column, width * UNIT)
         self.tree.itemChanged.connect(self._edited)
+        self.tree.itemSelectionChanged.connect(self._enable)
         self.hint = quiet_label(
             self.tr("Draw around a region. Its measures stand here; all parts add up to the whole.")
         )
         self.hint.setWordWrap(True)
-        self._lay_out()
         self._count = 0
+        self._lay_out()
+        self._enable()
+
+    def _colours(self) -> QMenu:
+        menu = QMenu(self)
+        names = (
+            self.tr("Vermilion"),
+            self.tr("Blue"),
+            self.tr("Green"),
+            self.tr("Pink"),
+            self.tr("Orange"),
+            self.tr("Light blue"),
+        )
+        for colour, name in zip(COLOURS, names, strict=True):
+            action = menu.addAction(dot(colour), name)
+            action.triggered.connect(lambda _=False, c=colour: self.coloured.emit(self.selected, c))
+        other = menu.addAction(self.tr("Another…"))
+        other.triggered.connect(lambda _=False: self.coloured.emit(self.selected, None))
+        return menu
 
     def _lay_out(self) -> None:
         tools = QHBoxLayout()
         tools.setSpacing(UNIT)
-        for widget in (self.lasso, self.brush, self.radius):
+        for widget in (self.lasso, self.brush, self.radius, self.take):
             tools.addWidget(widget)
         tools.addStretch(1)
         keeping = QHBoxLayout()
         keeping.setSpacing(UNIT // 2)
+        for widget in (self.new, self.colour, self.remove):
+            keeping.addWidget(widget)
         keeping.addStretch(1)
-        for widget in (self.remove, self.load, self.save):
+        for widget in (self.load, self.save):
             keeping.addWidget(widget)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT, UNIT, UNIT, UNIT)
@@ -100,7 +150,7 @@ class RegionsPanel(Panel):
         self, found: Sequence[RegionMeasures], whole: Measures | None, unit: str
     ) -> None:
         """Show the regions, the rest and the whole."""
-        selected = self.selected
+        selected, before = self.tree.currentIndex().row(), self._count
         self.tree.blockSignals(True)
         self.tree.clear()
         self._count = sum(part.region is not None for part in found)
@@ -112,12 +162,21 @@ class RegionsPanel(Panel):
         if found and whole is not None:
             self._add_row(self.tr("Whole"), "", whole)
         if self._count:
-            row = selected if 0 <= selected < self._count else self._count - 1
+            known = 0 <= selected < self._count <= before
+            row = selected if known else self._count - 1  # a new region is the selected one
             self.tree.setCurrentIndex(self.tree.model().index(row, 0))
         self.tree.blockSignals(False)
         self.hint.setVisible(not found)
-        for button in (self.remove, self.save):
-            button.setEnabled(self._count > 0)
+        self._enable()
+
+    def _let_go(self) -> None:
+        self.tree.setCurrentIndex(QModelIndex())
+        self._enable()
+
+    def _enable(self) -> None:
+        self.save.setEnabled(self._count > 0)
+        for button in (self.remove, self.colour, self.new):
+            button.setEnabled(self.selected >= 0)
 
     def _add(self, part: RegionMeasures) -> None:
         if part.region is None:

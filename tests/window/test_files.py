@@ -2,14 +2,18 @@
 
 import csv
 import json
+import zipfile
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from app import settings
-from app.model.view_state import Heatmap
+from app.jobs.keeping import Fault
+from app.model.tool import Tool
+from app.model.view_state import Heatmap, Scale
 from app.panels.help import HelpDialog
 from app.panels.palette import CommandPalette
 from app.window import MainWindow
@@ -23,7 +27,8 @@ def test_a_session_is_saved_and_opened_again(
     sample.display.change(heatmap=Heatmap.TRUST, relief=False)
     path = tmp_path / "x.surfcmp"
     document = sample.session.document
-    sample.sessions.save(path)
+    with qtbot.waitSignal(sample.sessions.saving.finished, timeout=PATIENCE):
+        sample.sessions.save(path)
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, *files)
     sample.display.change(heatmap=Heatmap.ABSOLUTE, relief=True)
@@ -32,6 +37,104 @@ def test_a_session_is_saved_and_opened_again(
     assert sample.session.document == document
     assert sample.display.state.heatmap is Heatmap.TRUST
     assert not sample.display.state.relief
+
+
+def test_a_session_restores_everything(
+    sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
+):
+    sample.display._pick(3, 0.0, 0.0)
+    sample.showing.keep_probe()
+    sample.alignment_of.add_landmark(1, sample.session.shown.content.geometry.origin)
+    sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
+    sample.scale.changed.emit(Scale(2.5, (0.3, 0.7), banded=True, pinned=True))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.regions_of.draw(Tool.LASSO, ((-9.0, -9.0), (9.0, -9.0), (0.0, 9.0)))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.alignment.nudged.emit("z", 0.25)
+    sample.display.change(section=(-10.0, 0.0, 10.0, 0.0))
+    document, state = sample.session.document, sample.display.state
+    path = tmp_path / "x.surfcmp"
+    with qtbot.waitSignal(sample.sessions.saving.finished, timeout=PATIENCE):
+        sample.sessions.save(path)
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        drop(sample, *files)
+    sample.scale.changed.emit(Scale(1.0, (0.5,), pinned=True))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        drop(sample, path)
+    assert sample.session.document == document
+    assert sample.display.state == state
+    assert sample.alignment.pairs.text() == "Now click the same place on surface 2."
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.actions_of.undo.trigger()
+    assert sample.session.document.paths == files
+
+
+def test_a_session_says_which_scan_is_missing_and_where_it_was_found(
+    window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot, monkeypatch
+):
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        drop(window, *files)
+    path = tmp_path / "x.surfcmp"
+    with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
+        window.sessions.save(path, embed=False)
+    measures = window.session.shown.comparison.measures
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        window.opening.open_sample()
+    found = files[1].rename(tmp_path / "elsewhere.xyz")
+    with qtbot.waitSignal(window.sessions.opening.finished, timeout=PATIENCE):
+        window.sessions.open(path)
+    assert window.banner.label.text().startswith("after.xyz is not where it was")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(files[0]), ""))
+    with qtbot.waitSignal(window.sessions.opening.finished, timeout=PATIENCE):
+        qtbot.mouseClick(window.banner.action, Qt.MouseButton.LeftButton)
+    assert window.banner.label.text().startswith("This file is not the after.xyz")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(found), ""))
+    window.sessions._ask_where(path, Fault(2, "after.xyz", "missing"), {})
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        pass
+    assert window.session.document.paths == (files[0], found)
+    assert window.session.shown.comparison.measures == measures
+    assert not window.banner.action.isVisible()
+
+
+@pytest.mark.parametrize("kind", [0, 1])
+def test_a_session_is_saved_with_or_without_its_scans(
+    window: MainWindow, files: tuple[Path, Path], qtbot: QtBot, monkeypatch, kind: int
+):
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        drop(window, *files)
+    path = files[0].with_name("x.surfcmp")
+
+    def answer(_parent, _title: str, _name: str, kinds: str) -> tuple[str, str]:
+        return str(path), kinds.split(";;")[kind]
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", answer)
+    with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
+        window.sessions.ask_save()
+    assert zipfile.is_zipfile(path) == (kind == 0)
+
+
+def test_unpacked_scans_go_with_the_window(
+    window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
+):
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        drop(window, *files)
+    path = tmp_path / "x.surfcmp"
+    with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
+        window.sessions.save(path, embed=True)
+    files[0].unlink()
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        window.sessions.open(path)
+    unpacked = window.session.document.paths[0]
+    assert unpacked != files[0]
+    assert unpacked.is_file()
+    window.sessions._save_now()
+    crashed = window.sessions.autosave.read_text()
+    window.sessions._unpacked.clear()  # as if the program had ended here
+    window.sessions.autosave.write_text(crashed)
+    assert window.sessions.offer_recovery()
+    window.close()
+    assert not unpacked.exists()
 
 
 def test_a_crash_is_noticed_at_the_next_start(
@@ -54,10 +157,11 @@ def test_a_crash_is_noticed_at_the_next_start(
     assert not sample.sessions.offer_recovery()
 
 
-def test_a_damaged_session_is_told_in_one_line(sample: MainWindow, tmp_path: Path):
+def test_a_damaged_session_is_told_in_one_line(sample: MainWindow, tmp_path: Path, qtbot: QtBot):
     path = tmp_path / "x.surfcmp"
     path.write_bytes(b"\xff\x00")
-    drop(sample, path)
+    with qtbot.waitSignal(sample.sessions.opening.failed, timeout=PATIENCE):
+        drop(sample, path)
     assert sample.banner.isVisible()
     assert "x.surfcmp" in sample.banner.label.text()
 

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
+from app.panels.regions import COLOURS
 from app.scene.distribution import distribution_of
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
@@ -149,8 +150,59 @@ def test_a_brush_adds_to_the_selected_region(lassoed: MainWindow, qtbot: QtBot):
     with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
         drag(qtbot, lassoed.grid.frames[2].canvas, (0.4, 0.3), (0.5, 0.3), (0.6, 0.3))
     (region,) = lassoed.session.document.regions
-    assert len(region.polygons) == 1
-    assert len(region.discs) > 2
+    lasso, brush = region.strokes
+    assert (lasso.radius, brush.radius) == (0.0, lassoed.regions.radius.value)
+    assert len(brush.path) > 2
+
+
+def taken_away(window: MainWindow, qtbot: QtBot, key: Qt.KeyboardModifier) -> float:
+    """Drag the brush through the selected region; return how much of its area is left."""
+    area = window.session.shown.regions[0].measures.area_compared
+    canvas = window.grid.frames[3].canvas
+    places = [QPoint(round(x * canvas.width()), canvas.height() // 2) for x in (0.5, 0.55, 0.6)]
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        qtbot.mousePress(canvas, LEFT, key, places[0])
+        for place in places[1:]:
+            qtbot.mouseMove(canvas, place)
+        qtbot.mouseRelease(canvas, LEFT, key, places[-1])
+    return window.session.shown.regions[0].measures.area_compared / area
+
+
+def test_a_brush_takes_away_from_the_selected_region(lassoed: MainWindow, qtbot: QtBot):
+    qtbot.mouseClick(lassoed.regions.brush, LEFT)
+    assert 0.3 < taken_away(lassoed, qtbot, Qt.KeyboardModifier.ShiftModifier) < 0.95
+    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
+        lassoed.actions_of.undo.trigger()
+    qtbot.mouseClick(lassoed.regions.take, LEFT)
+    assert 0.3 < taken_away(lassoed, qtbot, Qt.KeyboardModifier.NoModifier) < 0.95
+    assert [stroke.takes for stroke in lassoed.session.document.regions[0].strokes] == [False, True]
+    shown = lassoed.session.shown
+    parts = [part.measures.area_compared for part in shown.regions]
+    assert sum(parts) == pytest.approx(shown.comparison.measures.area_compared, rel=1e-12)
+
+
+def test_nothing_is_taken_away_without_a_region(sample: MainWindow):
+    sample.regions.take.setChecked(True)
+    sample.regions_of.draw(Tool.BRUSH, ((0.0, 0.0), (5.0, 5.0)))
+    assert sample.session.document.regions == ()
+    assert sample.banner.isVisible()
+
+
+def test_a_region_takes_another_colour(lassoed: MainWindow, qtbot: QtBot):
+    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
+        lassoed.regions.colour.menu().actions()[2].trigger()
+    assert lassoed.session.document.regions[0].colour == COLOURS[2]
+    assert lassoed.actions_of.undo.text() == "&Undo colour of a region"
+
+
+def test_a_stroke_of_the_brush_begins_a_new_region(lassoed: MainWindow, qtbot: QtBot):
+    qtbot.mouseClick(lassoed.regions.new, LEFT)
+    assert not lassoed.regions.remove.isEnabled()
+    qtbot.mouseClick(lassoed.regions.brush, LEFT)
+    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
+        drag(qtbot, lassoed.grid.frames[2].canvas, (0.4, 0.3), (0.5, 0.3), (0.6, 0.3))
+    assert len(lassoed.session.document.regions) == 2
+    assert lassoed.regions.selected == 1
 
 
 def test_regions_are_saved_and_loaded(lassoed: MainWindow, tmp_path: Path, qtbot: QtBot):

@@ -95,7 +95,8 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         for _ in range(STEPS):
             chance.choice(actions)()
         qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
-        qtbot.waitUntil(lambda: not window.alignment_of.runner.busy, timeout=PATIENCE)
+        for runner in window.runners:
+            qtbot.waitUntil(lambda r=runner: not r.busy and r.wait(0.0), timeout=PATIENCE)
         qtbot.wait(200)
     assert exceptions == []
     assert all("\n" not in error and "internal" not in error for error in errors), errors

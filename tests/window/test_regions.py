@@ -1,29 +1,65 @@
 """Regions: what they cover, and that their measures add up to the whole."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from app.jobs.regions import inside, measured_regions, region_of, weighted, with_tolerances
-from app.model.region import Region
+from app.jobs.regions import (
+    beside,
+    inside,
+    measured_regions,
+    region_mask,
+    region_of,
+    weighted,
+    with_tolerances,
+)
+from app.model.region import Region, Stroke
 from surfcmp_core.comparison import Comparison
 
 SQUARE = ((-30.0, -30.0), (10.0, -30.0), (10.0, 10.0), (-30.0, 10.0))
 REGIONS = (
-    Region("square", (200, 0, 0), 2.0, polygons=(SQUARE,)),
-    Region("disc", (0, 200, 0), 0.5, discs=((10.0, 10.0, 15.0),)),
+    Region("square", (200, 0, 0), 2.0, strokes=(Stroke(SQUARE),)),
+    Region("disc", (0, 200, 0), 0.5, strokes=(Stroke(((10.0, 10.0),), 15.0),)),
 )
 
 
 def test_a_point_lies_inside_a_polygon_or_not():
     x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(-2, 3, 26), np.linspace(-2, 3, 26)))
-    star = ((0.0, 2.05), (0.6, -1.05), (-1.05, 1.05), (1.05, 1.05), (-0.6, -1.05))
-    assert (
-        inside(x, y, ((0, 0), (1, 0), (1, 1), (0, 1))) == (x >= 0) & (x < 1) & (y >= 0) & (y < 1)
-    ).sum() >= len(x) - 30
-    assert 0 < inside(x, y, star).sum() < len(x)
-    assert (inside(x, y, star) == inside(x, y, star[::-1])).all()
+    star = np.array([(0.0, 2.05), (0.6, -1.05), (-1.05, 1.05), (1.05, 1.05), (-0.6, -1.05)])
+    square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    expected = (x >= 0) & (x < 1) & (y >= 0) & (y < 1)
+    assert (inside(square)(x, y) == expected).sum() >= len(x) - 30
+    assert 0 < inside(star)(x, y).sum() < len(x)
+    assert (inside(star)(x, y) == inside(star[::-1])(x, y)).all()
+
+
+def test_a_brush_covers_what_is_near_its_path():
+    rng = np.random.default_rng(3)
+    x, y = rng.uniform(-5, 5, (2, 4000))
+    path = np.array([(-3.0, -2.0), (0.0, 2.0), (0.0, 2.0), (3.0, -1.0)])
+    steps = np.linspace(0, 1, 2001)[:, None]
+    dense = np.concatenate([a + steps * (b - a) for a, b in pairwise(path)])
+    near = np.min([np.hypot(x - px, y - py) for px, py in dense], axis=0)
+    assert (beside(path, 0.8)(x, y) == (near <= 0.8)).mean() > 0.999
+    dot = beside(path[:1], 0.8)(x, y)
+    assert (dot == (np.hypot(x + 3, y + 2) <= 0.8)).all()
+
+
+def test_strokes_add_and_take_away_in_their_order():
+    x, y = np.array([0.0, 2.0, 4.0, 9.0]), np.zeros(4)
+    square = Stroke(((-1.0, -1.0), (5.0, -1.0), (5.0, 1.0), (-1.0, 1.0)))
+    eraser = Stroke(((1.0, 0.0), (4.5, 0.0)), 0.6, takes=True)
+    dab = Stroke(((4.0, 0.0),), 0.1)
+    for strokes, expected in (
+        ((square,), [1, 1, 1, 0]),
+        ((square, eraser), [1, 0, 0, 0]),
+        ((square, eraser, dab), [1, 0, 1, 0]),
+        ((eraser, square), [1, 1, 1, 0]),
+        ((), [0, 0, 0, 0]),
+    ):
+        assert region_mask(x, y, Region("r", (0, 0, 0), strokes=strokes)).tolist() == expected
 
 
 def test_later_regions_lie_over_earlier_ones(small: Comparison):
@@ -48,7 +84,7 @@ def test_regions_add_up_to_the_whole(small: Comparison, key: str):
 
 
 def test_an_empty_region_has_no_measures(small: Comparison):
-    far = Region("far", (0, 0, 0), discs=((1e6, 0.0, 1.0),))
+    far = Region("far", (0, 0, 0), strokes=(Stroke(((1e6, 0.0),), 1.0),))
     assert measured_regions(small, (far,))[0].measures is None
     assert measured_regions(small, ()) == ()
 

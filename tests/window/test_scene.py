@@ -272,9 +272,9 @@ def test_a_coarse_patch_keeps_the_outline_and_points_at_the_patch():
 @pytest.mark.parametrize("relief", [True, False])
 def test_lines_are_drawn_over_all_views(small: Comparison, relief: bool):
     from app.jobs.regions import region_of
-    from app.model.region import Region
+    from app.model.region import Region, Stroke
 
-    region = Region("a", (1, 2, 3), discs=((0.0, 0.0, 20.0),))
+    region = Region("a", (1, 2, 3), strokes=(Stroke(((0.0, 0.0),), 20.0),))
     number = region_of(small, (region,))
     content = content_of(small, None, number, [(1, 2, 3)])
     state = replace(STATE, relief=relief, section=(-40.0, 0.0, 40.0, 5.0))
