@@ -1,5 +1,6 @@
 """The main window, and the program around it."""
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -134,6 +135,7 @@ class MainWindow(QMainWindow):
         from app.controllers.sessions import Sessions
         from app.controllers.showing import Showing
 
+        gc.disable()
         self.display.warm_up()
         self.session = Session(self.display)
         self.opening = Opening(self)
@@ -142,6 +144,8 @@ class MainWindow(QMainWindow):
         self.regions_of = Regions(self)
         self.alignment_of = Alignment(self)
         self.sessions = Sessions(self)
+        self.session.compared.connect(collect_garbage)
+        self.session.failed.connect(collect_garbage)
 
     def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
         """Dock a panel at the right."""
@@ -216,6 +220,16 @@ class MainWindow(QMainWindow):
         for runner in self.runners:
             self.ended &= runner.wait(CLOSING_SECONDS if self.ended else 0.0)
         super().closeEvent(event)
+
+
+def collect_garbage(_: object) -> None:
+    """Begin to look for garbage; what is loaded by now is none.
+
+    While all is being loaded nothing is to be found, and each look would make the window late.
+    """
+    if not gc.isenabled():
+        gc.freeze()
+        gc.enable()
 
 
 def run(paths: list[Path]) -> int:

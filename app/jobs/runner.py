@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from app.jobs.priority import COMPUTING, give_way
 from surfcmp_core.errors import Cancelled, SurfcmpError
 from surfcmp_core.progress import Progress
 
@@ -70,6 +71,7 @@ class Runner(QObject):
                 raise Cancelled
             self._told.emit(generation, "progress", (stage, fraction))
 
+        give_way(COMPUTING)
         try:
             self._told.emit(generation, "finished", work(progress))
         except Cancelled:

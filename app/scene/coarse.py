@@ -52,5 +52,7 @@ def coarse_of(
     nodes = np.union1d(np.arange(0, len(points), stride), hull).astype(np.int64)
     thin = triangulate(np.ascontiguousarray(points[nodes, :2])).triangles
     at_node = np.zeros(len(points), dtype=np.int64)
-    at_node[triangles.ravel()] = np.repeat(np.arange(len(triangles)), 3)
+    numbers = np.arange(len(triangles))
+    for corner in range(3):  # np.repeat would hold Python's lock
+        at_node[triangles[:, corner]] = numbers
     return Coarse(nodes, np.ascontiguousarray(thin), at_node[nodes[thin[:, 0]]])

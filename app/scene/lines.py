@@ -62,12 +62,14 @@ def borders_of(
     """Return for each region the sides of triangles (k, 2) between it and what it is not."""
     if not colours:
         return ()
-    a, b = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
-    owner = np.repeat(region, 3)
     found = []
     for k, colour in enumerate(colours):
-        mine = np.flatnonzero(owner == k)
-        low, high = np.minimum(a[mine], b[mine]), np.maximum(a[mine], b[mine])
-        sides, counts = np.unique(np.stack([low, high], axis=1), axis=0, return_counts=True)
-        found.append((np.asarray(sides[counts == 1], dtype=np.int32), colour))
+        mine = triangles[region == k].astype(np.int64)
+        ends = mine[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        sides = np.sort((ends.min(axis=1) << 32) | ends.max(axis=1))
+        changes = np.ones(len(sides) + 1, dtype=bool)
+        changes[1:-1] = sides[1:] != sides[:-1]
+        once = sides[changes[1:] & changes[:-1]]
+        outline = np.stack([once >> 32, once & 0xFFFFFFFF], axis=1)
+        found.append((outline.astype(np.int32), colour))
     return tuple(found)

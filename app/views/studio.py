@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 
+from app.jobs.priority import DRAWING, give_way
 from app.model.view_state import ViewState
 from app.scene.camera import Camera
 from app.scene.content import Content
@@ -125,6 +126,7 @@ class Studio(QObject):
         from app.scene.scene import VIEWS
         from app.views.renderer import Renderer
 
+        give_way(DRAWING)
         renderer = Renderer(VIEWS)
         renderer.warm_up()
         hand = _Hand(renderer, lambda: self._ended or self._wish is not None, self._emit)
