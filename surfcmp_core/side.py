@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Domain
+from surfcmp_core.comparison import Comparison, Domain
 from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
+from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.grid import Grid, grid_of, safe_scale
 from surfcmp_core.interpolation import interpolate
 from surfcmp_core.measures import LinearSurface, triangle_areas
@@ -49,25 +50,26 @@ class CloudData:
     Attributes
     ----------
     max_edge : float
-        Longest edge over which it has data.
+        Longest edge over which it may have data, where its nodes lie farthest apart.
+    usual_edge : float
+        The same at half of its nodes or more.
     area, hull_area : float
         With data, and of the convex hull, in the plane.
     """
 
     max_edge: float
+    usual_edge: float
     area: float
     hull_area: float
 
 
-def data_of_cloud(cloud: Surface, max_edge: float | None = None) -> CloudData:
-    """Tell how much of its convex hull a cloud has data in, seen along z.
+def data_of_cloud(cloud: Surface) -> CloudData:
+    """Tell how much of its convex hull a cloud has data in, seen along z, where nothing is said.
 
     Parameters
     ----------
     cloud : Surface
         Of nodes at one place the highest counts.
-    max_edge : float, optional
-        As for :func:`surfcmp_core.domain.footprint_of_cloud`.
 
     Returns
     -------
@@ -80,12 +82,42 @@ def data_of_cloud(cloud: Surface, max_edge: float | None = None) -> CloudData:
     """
     grid = grid_of(cloud, duplicates="max")
     scale = safe_scale(grid.nodes)
-    triangulation = triangulate(grid.nodes * scale, name=cloud.name)
-    tree = tree_ends(triangulation, spanning_tree(triangulation))
-    limit = None if max_edge is None else max_edge * scale
-    found = footprint_of(grid, triangulation, tree, limit)
-    hull = float(triangle_areas(triangulation.nodes, triangulation.triangles).sum())
-    return CloudData(found.max_edge / scale, found.area / scale / scale, hull / scale / scale)
+    t = triangulate(grid.nodes * scale, name=cloud.name)
+    tree = tree_ends(t, spanning_tree(t))
+    usual = float(np.median(limits_of_edges(t.nodes, tree)))
+    found = footprint_of_cloud(t, tree, None)
+    hull = float(triangle_areas(t.nodes, t.triangles).sum())
+    return CloudData(
+        found.max_edge / scale, usual / scale, found.area / scale / scale, hull / scale / scale
+    )
+
+
+def triangles_with_data(comparison: Comparison, which: int) -> NDArray[np.bool_]:
+    """Tell which triangles of T1 or T2 a surface has data in, as far as its own triangles tell.
+
+    Parameters
+    ----------
+    comparison : Comparison
+        Under any domain.
+    which : int
+        0 for surface 1, 1 for surface 2.
+
+    Returns
+    -------
+    (m,) bool
+        Of a mesh, those with a face at their centroid; of a cloud, those without an edge too long.
+    """
+    united = comparison.united
+    number = np.empty(len(united.nodes), np.int32)
+    own, tree = ((united.node_1, united.tree1), (united.node_2, united.tree2))[which]
+    number[own] = np.arange(len(own), dtype=np.int32)
+    found = footprint_of(
+        comparison.grids[which],
+        comparison.triangulations[which],
+        number[tree],
+        comparison.options.max_edge,
+    )
+    return found.covered
 
 
 @dataclass(frozen=True, slots=True, eq=False)

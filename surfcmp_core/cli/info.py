@@ -28,7 +28,7 @@ def command(file: File, unit: UnitOption = None) -> None:
     for title, found in (
         ("", fact_rows(facts_of(surface))),
         ("seen with --project auto", sight_rows(surface)),
-        ("data as --max-edge is derived", data_rows(surface)),
+        ("data where no --max-edge is given", data_rows(surface)),
     ):
         if found and title:
             rows.add_row()

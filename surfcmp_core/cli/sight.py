@@ -44,8 +44,10 @@ def data_rows(surface: Surface) -> Rows:
         return [("nothing", str(fault))]
     unit = "" if surface.unit is None else f" {surface.unit}"
     areas = {"data": data.area, "gaps": data.hull_area - data.area}
+    usual, most = figure(data.usual_edge) + unit, figure(data.max_edge) + unit
+    grows = "" if usual == most else f", up to {most} where nodes lie far apart"
     return [
-        ("max-edge", f"{figure(data.max_edge)}{unit}"),
+        ("max-edge", f"{usual}{grows}"),
         ("with data", f"{_area(data.area, surface)}{_share('data', areas)} of the convex hull"),
     ]
 

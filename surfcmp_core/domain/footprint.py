@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
+from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.localisation.localisation import walk_to
 from surfcmp_core.predicates import orientation
@@ -36,7 +37,8 @@ class Footprint:
     area : float
         In the plane.
     max_edge : float
-        Longest edge over which a cloud has data; inf for a mesh.
+        Longest edge over which a cloud may have data, where its nodes lie farthest apart; inf for
+        a mesh.
     """
 
     triangulation: Triangulation
@@ -125,17 +127,21 @@ def _keep_short(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
     real: int,
-    max_edge: float,
+    limits: NDArray[np.float64],
     state: NDArray[np.uint8],
 ) -> float:
-    """Mark triangles without a longer edge as DATA, the others as holes; return the data's area."""
+    """Mark triangles as DATA, or as holes where an edge is longer than two of their nodes allow.
+
+    Return the data's area.
+    """
     area = 0.0
     for t in range(real):
         a, b, c = start[3 * t], start[3 * t + 1], start[3 * t + 2]
         ux, uy = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
         vx, vy = nodes[c, 0] - nodes[a, 0], nodes[c, 1] - nodes[a, 1]
         longest = max(np.hypot(ux, uy), np.hypot(vx, vy), np.hypot(vx - ux, vy - uy))
-        if longest <= max_edge:
+        one, other = min(limits[a], limits[b]), max(limits[a], limits[b])
+        if longest <= max(one, min(other, limits[c])):  # the middle one of three
             state[t] = 0
             area += 0.5 * (ux * vy - uy * vx)
         else:
@@ -186,7 +192,7 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
 def footprint_of_cloud(
     triangulation: Triangulation, tree: NDArray[np.int32], max_edge: float | None
 ) -> Footprint:
-    """Footprint of a cloud: triangles without an edge longer than `max_edge`.
+    """Footprint of a cloud: triangles without an edge too long.
 
     Parameters
     ----------
@@ -195,23 +201,23 @@ def footprint_of_cloud(
     tree : (n - 1, 2) int32
         Its minimum spanning tree, the measure of the nodes' spacing.
     max_edge : float or None
-        Length; inf for no limit; None for four times the length that 95 % of the tree's edges do
-        not exceed.
+        Length, the same everywhere; inf for no limit; None for one that follows the spacing around
+        each node (:func:`surfcmp_core.domain.spacing.limits_of_edges`), the middle one of a
+        triangle's three.
 
     Returns
     -------
     Footprint
     """
     t = triangulation
-    if max_edge is None:
-        steps = t.nodes[tree[:, 0]] - t.nodes[tree[:, 1]]
-        max_edge = 4.0 * float(np.quantile(np.hypot(steps[:, 0], steps[:, 1]), 0.95))
+    n = len(t.nodes)
+    limits = limits_of_edges(t.nodes, tree) if max_edge is None else np.full(n, max_edge)
     state = np.empty(len(t.start) // 3, np.uint8)
-    area = _keep_short(t.nodes, t.start, t.real, max_edge, state)
+    area = _keep_short(t.nodes, t.start, t.real, limits, state)
     _flood_outside(t.twin, t.real, state)
-    at_node = np.empty(len(t.nodes), np.uint8)
+    at_node = np.empty(n, np.uint8)
     _at_nodes(t.start, state, at_node)
-    return Footprint(t, state, at_node, None, area, max_edge)
+    return Footprint(t, state, at_node, None, area, float(limits.max()))
 
 
 @kernel
