@@ -13,7 +13,14 @@ from app.model.view_state import Place, ViewState
 from app.numbers import short
 from app.scene.camera import Camera, home, showing
 from app.scene.content import Content
-from app.scene.pick import corners_at, place_at, point_at, reading_at
+from app.scene.pick import (
+    corners_at,
+    path_in_view,
+    place_in_view,
+    point_at,
+    point_in_view,
+    reading_at,
+)
 from app.views.canvas import Label
 from app.views.grid import ViewGrid
 from app.views.studio import Pictures, Studio, Wish
@@ -66,7 +73,7 @@ class Display(QObject):
             canvas.panned.connect(lambda right, up: self._move(lambda c: c.panned(right, up)))
             canvas.zoomed.connect(self._zoom)
             canvas.resized.connect(self._move_nothing)
-            canvas.drawn.connect(self._drawn)
+            canvas.drawn.connect(lambda path, v=view: self._drawn(v, path))
             canvas.clicked.connect(lambda right, up, v=view: self._pick(v, right, up))
             for source in (canvas.filled, frame.title.filled):
                 source.connect(lambda v=view: self.toggle_fill(v))
@@ -94,8 +101,6 @@ class Display(QObject):
         if state == self.state:
             return
         old, self.state = self.state, state
-        if state.relief and self.tool.draws:
-            self.use(Tool.LOOK)
         if old.relief != state.relief and self.content is not None:
             self._camera = self._camera.from_above()
             if state.relief:
@@ -174,10 +179,8 @@ class Display(QObject):
         self._move(lambda camera: camera.zoomed(factor, right, up))
 
     def use(self, tool: Tool) -> None:
-        """Take a tool in hand; those that draw need the map."""
+        """Take a tool in hand."""
         self.tool = tool
-        if tool.draws:
-            self.change(relief=False)
         for frame in self._grid.frames:
             frame.canvas.tool = tool
         self.tool_changed.emit(tool)
@@ -186,40 +189,26 @@ class Display(QObject):
         """Set the brush's radius, in the unit of the input."""
         self._brush = radius
 
-    def _drawn(self, path: list[tuple[float, float]]) -> None:
-        if self.content is None:
-            return
-        camera, origin = self._camera, self.content.geometry.origin
-        points = [
-            np.array(camera.focus)
-            + (right * camera.right + up * np.array(camera.up)) * camera.height
-            for right, up in path
-        ]
-        places = tuple((float(p[0] + origin[0]), float(p[1] + origin[1])) for p in points)
-        self.path_drawn.emit(self.tool, places)
+    def _drawn(self, view: int, path: list[tuple[float, float]]) -> None:
+        if self.content is not None:
+            relief = self.state.relief
+            geometry = self.content.geometry
+            places = tuple(path_in_view(geometry, self._camera, relief, view, path))
+            self.path_drawn.emit(self.tool, places)
 
     def _pick(self, view: int, right: float, up: float) -> None:
         if self.content is None:
             return
+        geometry, relief = self.content.geometry, self.state.relief
         if self.tool is Tool.LANDMARK:
-            self._pick_landmark(view, right, up)
+            point = point_in_view(geometry, self._camera, relief, view, right, up)
+            if view < 2 and point is not None:
+                self.landmark_picked.emit(view + 1, point + geometry.origin)
             return
-        patch = self.content.geometry.patches[2]
-        place = place_at(patch, self._camera, self.state.relief, right, up)
+        place = place_in_view(geometry, self._camera, relief, view, right, up)
         old = self.state.picked
         again = place is not None and old is not None and place.triangle == old.triangle
         self.change(picked=None if again else place)
-
-    def _pick_landmark(self, view: int, right: float, up: float) -> None:
-        assert self.content is not None
-        if view > 1:
-            return
-        patch = self.content.geometry.patches[view]
-        place = place_at(patch, self._camera, self.state.relief, right, up)
-        if place is not None:
-            corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
-            point = np.array(place.weights) @ corners + self.content.geometry.origin
-            self.landmark_picked.emit(view + 1, point)
 
     def _aspect(self) -> float:
         sizes = self._grid.sizes()
@@ -245,14 +234,14 @@ class Display(QObject):
 
     def _show_labels(self) -> None:
         """Lay the labels of the picked and kept places where they stand in the pictures."""
-        labels = []
-        if self.content is not None:
-            places = [(place, True) for place in self.state.probes]
-            if self.state.picked is not None:
-                places.append((self.state.picked, False))
-            labels = [self._label(self.content, place, kept) for place, kept in places]
+        places = [(place, True) for place in self.state.probes]
+        if self.state.picked is not None:
+            places.append((self.state.picked, False))
         for view, frame in enumerate(self._grid.frames):
-            frame.canvas.show_labels(labels + self._marks(view))
+            labels = self._marks(view)
+            if self.content is not None:
+                labels += [self._label(self.content, place, kept, view) for place, kept in places]
+            frame.canvas.show_labels(labels)
 
     def set_landmarks(self, marks: list[tuple[int, NDArray[np.float64], str]]) -> None:
         """Mark places: the view (0 or 1), the place in the comparison's coordinates, a text."""
@@ -271,10 +260,10 @@ class Display(QObject):
                 labels.append(Label(right, up, text, False))
         return labels
 
-    def _label(self, content: Content, place: Place, kept: bool) -> Label:
-        geometry, relief = content.geometry, self.state.relief
-        point = point_at(geometry, place, relief)
-        corners = () if kept else corners_at(geometry, place, relief)
+    def _label(self, content: Content, place: Place, kept: bool, view: int) -> Label:
+        relief = self.state.relief
+        point = point_at(content, place, relief, view)
+        corners = () if kept else corners_at(content, place, relief, view)
         seen = self._seen.project(np.stack([point, *corners]))[:, :2].tolist()
         text = short(float(f"{reading_at(content.comparison, place).difference:.3g}"))
         right, up = seen[0]

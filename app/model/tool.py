@@ -14,5 +14,5 @@ class Tool(StrEnum):
 
     @property
     def draws(self) -> bool:
-        """Whether dragging draws a path; it is drawn on the map, where the plane is seen."""
+        """Whether dragging draws a path; the right button turns the views meanwhile."""
         return self in {Tool.LASSO, Tool.BRUSH, Tool.SECTION}

@@ -113,6 +113,7 @@ class HelpPages(QWidget):
         mouse = (
             (self.tr("Turn (relief) or move (map)"), self.tr("drag")),
             (self.tr("Move"), self.tr("drag with the right button, or Shift and drag")),
+            (self.tr("Turn with a tool in hand"), self.tr("drag with the right button")),
             (self.tr("Zoom at the pointer"), self.tr("wheel")),
             (self.tr("Values of a place"), self.tr("click")),
             (self.tr("One view alone, and back"), self.tr("double-click")),

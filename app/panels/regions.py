@@ -1,4 +1,4 @@
-"""Named regions: drawn on the map, each with its weight and its own measures."""
+"""Named regions: drawn over the views, each with its weight and its own measures."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ class RegionsPanel(Panel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.lasso = tool_button(self.tr("Lasso"), self.tr("Draw around a region on the map (L)"))
-        self.brush = tool_button(self.tr("Brush"), self.tr("Paint a region on the map (B)"))
+        self.lasso = tool_button(self.tr("Lasso"), self.tr("Draw around a region in any view (L)"))
+        self.brush = tool_button(self.tr("Brush"), self.tr("Paint a region in any view (B)"))
         self.radius = NumberBox()
         self.radius.setMaximumWidth(7 * UNIT)
         self.radius.setToolTip(self.tr("Radius of the brush"))

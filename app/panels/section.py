@@ -57,7 +57,7 @@ class SectionPanel(Panel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.line = tool_button(self.tr("Draw a line"), self.tr("Draw a line on the map (S)"))
+        self.line = tool_button(self.tr("Draw a line"), self.tr("Draw a line over any view (S)"))
         self.line.setCheckable(True)
         self.line.clicked.connect(
             lambda on: self.tool_asked.emit(Tool.SECTION if on else Tool.LOOK)
@@ -96,7 +96,7 @@ class SectionPanel(Panel):
             widget.setVisible(some)
         self.copy.setEnabled(some)
         if profile is None or not some:
-            text = self.tr("Draw a line across the surfaces on the map.")
+            text = self.tr("Draw a line across the surfaces.")
             self.text.setText(text if profile is None else self.tr("No surface under the line."))
             return
         colours, quiet = theme(dark), palette(dark)

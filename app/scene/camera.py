@@ -39,6 +39,11 @@ class Camera:
         """Unit vector to the right in the picture."""
         return np.cross(self.up, self.back)
 
+    def at(self, right: float, up: float) -> Vector:
+        """Return (3,) the point seen there, in shares of the height, as far away as the focus."""
+        aside = right * self.right + up * np.array(self.up)
+        return np.asarray(np.array(self.focus) + aside * self.height)
+
     def panned(self, right: float, up: float) -> Self:
         """Return the camera moved so that the picture slides by these shares of its height."""
         step = -(right * self.right + up * np.array(self.up)) * self.height

@@ -15,6 +15,8 @@ if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from surfcmp_core.triangulation import Triangulation
 
 
+RUN = 128
+"""So many triangles share a box, by which they are found."""
 SAMPLE = 50_000
 """From about so many triangles the typical length of a side is told."""
 
@@ -38,6 +40,8 @@ class Patch:
         Triangles where the surface has data; None for all.
     coarse : Coarse or None
         What is drawn in its place while the camera moves.
+    boxes : (k, 2, 3) float32 or None
+        Lowest and highest corner of each `RUN` triangles; neighbours in number lie close together.
     """
 
     points: Floats
@@ -46,6 +50,7 @@ class Patch:
     edge: float
     data: NDArray[np.bool_] | None = None
     coarse: Coarse | None = None
+    boxes: Floats | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,18 +96,10 @@ def geometry_of(comparison: Comparison) -> Geometry:
 
 def data_of(comparison: Comparison, which: int) -> NDArray[np.bool_] | None:
     """Return (m,) where T1 (`which` = 0) or T2 has data, as far as its own triangles tell."""
-    grid, triangulation = comparison.grids[which], comparison.triangulations[which]
-    if grid.faces is not None:
-        from surfcmp_core.domain.footprint import HOLE, OUTSIDE, footprint_of_mesh
+    from surfcmp_core.side import triangles_with_data
 
-        state = footprint_of_mesh(triangulation, grid.faces).state[: triangulation.real]
-        missing = (state == OUTSIDE) | (state == HOLE)
-    else:
-        from app.scene.kernels import longer_than
-
-        limit = float(comparison.max_edges[which])
-        missing = longer_than(limit, triangulation.nodes, triangulation.triangles)
-    return ~missing if missing.any() else None
+    data = triangles_with_data(comparison, which)
+    return None if data.all() else data
 
 
 def _hull(triangulation: Triangulation) -> Ints:
@@ -128,16 +125,18 @@ def _patch(
     hull: Ints,
     data: NDArray[np.bool_] | None,
 ) -> Patch:
-    from app.scene.kernels import node_normals
+    from app.scene.kernels import boxes_of, node_normals
 
     triangles = np.ascontiguousarray(triangles, dtype=np.int32)
+    single = points.astype(np.float32)
     return Patch(
-        points=points.astype(np.float32),
+        points=single,
         normals=node_normals(points, triangles),
         triangles=triangles,
         edge=_typical_edge(points, triangles),
         data=data,
         coarse=coarse_of(points, triangles, hull),
+        boxes=boxes_of(single, triangles, RUN),
     )
 
 

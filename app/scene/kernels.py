@@ -43,14 +43,19 @@ def node_normals(points: NDArray[np.float64], triangles: NDArray[np.int32]) -> N
 
 
 @kernel
-def longer_than(
-    limit: float, nodes: NDArray[np.float64], triangles: NDArray[np.int32]
-) -> NDArray[np.bool_]:
-    """Return (m,) which triangles have a side longer than `limit` in the plane."""
-    found = np.zeros(len(triangles), dtype=np.bool_)
+def boxes_of(
+    points: NDArray[np.float32], triangles: NDArray[np.int32], run: int
+) -> NDArray[np.float32]:
+    """Return (k, 2, 3) the lowest and highest corner of each `run` triangles."""
+    count = -(-len(triangles) // run)
+    boxes = np.empty((count, 2, 3), dtype=np.float32)
+    boxes[:, 0], boxes[:, 1] = np.inf, -np.inf
     for t in range(len(triangles)):
+        box = boxes[t // run]
         for k in range(3):
-            a, b = triangles[t, k], triangles[t, (k + 1) % 3]
-            if math.hypot(nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]) > limit:
-                found[t] = True
-    return found
+            node = triangles[t, k]
+            for axis in range(3):
+                value = points[node, axis]
+                box[0, axis] = min(box[0, axis], value)
+                box[1, axis] = max(box[1, axis], value)
+    return boxes

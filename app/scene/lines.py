@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from app.model.view_state import ViewState
 from app.scene.colour_maps import Colours, Rgb
 from app.scene.palette import Palette
+from app.scene.pick import heights_at
 from app.scene.section import profile_of
 
 if TYPE_CHECKING:
@@ -19,14 +20,18 @@ Segments = NDArray[np.float32]
 """(k, 2, 3)."""
 
 
-def lines_of(content: Content, state: ViewState, quiet: Palette) -> tuple[Segments, Colours]:
-    """Return the segments to be drawn over all views, and the colour of each."""
+def lines_of(
+    content: Content, state: ViewState, quiet: Palette, view: int
+) -> tuple[Segments, Colours]:
+    """Return the segments to be drawn over a view, on its surface, and the colour of each."""
     parts: list[tuple[Segments, Rgb]] = []
     patch = content.geometry.patches[2]
     for edges, colour in content.borders:
-        parts.append((patch.points[edges], colour))
+        ends = patch.points[edges]
+        ends[..., 2] = heights_at(content.comparison, content.geometry, edges, view)
+        parts.append((ends, colour))
     if state.section is not None:
-        parts.append((section_line(content, state), quiet.accent))
+        parts.append((section_line(content, state, view), quiet.accent))
     nothing = np.zeros((0, 2, 3), dtype=np.float32)
     segments = np.concatenate([nothing, *(part for part, _ in parts)])
     if not state.relief:
@@ -40,15 +45,15 @@ def lines_of(content: Content, state: ViewState, quiet: Palette) -> tuple[Segmen
     return segments, colours
 
 
-def section_line(content: Content, state: ViewState) -> Segments:
-    """Return the section's line, laid on the middle of the surfaces."""
+def section_line(content: Content, state: ViewState, view: int) -> Segments:
+    """Return the section's line, laid on the surface a view shows."""
     assert state.section is not None
     x0, y0, x1, y1 = state.section
     profile = profile_of(content.comparison, state.section)
     share = profile.along / (np.hypot(x1 - x0, y1 - y0) or 1.0)
     z1 = np.where(np.isnan(profile.z1), profile.z2, profile.z1)
     z2 = np.where(np.isnan(profile.z2), profile.z1, profile.z2)
-    z = (z1 + z2) / 2
+    z = (z1, z2, (z1 + z2) / 2)[min(view, 2)]
     points = np.column_stack([x0 + share * (x1 - x0), y0 + share * (y1 - y0), z])
     points = points[np.isfinite(z)] - content.geometry.origin
     if len(points) < 2:

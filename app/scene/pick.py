@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -9,15 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.view_state import Place
-from app.scene.camera import Camera
-from app.scene.geometry import Geometry, Patch
+from app.scene.camera import Camera, Vector
+from app.scene.geometry import RUN, Geometry, Patch
 
 if TYPE_CHECKING:
+    from app.scene.content import Content
     from surfcmp_core.comparison import Comparison
 
 
-ROOM = np.float32(1e-5)
-"""Shares of the picture's height that single precision may be off."""
+SIDEWAYS = 0.2
+"""Where the line of sight rises less than this, it meets a level too far away."""
 
 
 def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> Place | None:
@@ -29,18 +31,8 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
         In shares of the picture's height from its middle, as `Camera.project` gives.
     """
     lift = np.array([1.0, 1.0, float(relief)])
-    x, y = (
-        patch.points @ (np.array(axis) * lift / camera.height).astype(np.float32)
-        - np.float32(np.dot(axis, camera.focus) / camera.height + place)
-        for axis, place in ((camera.right, right), (camera.up, up))
-    )
-    code = np.zeros(len(x), dtype=np.uint8)  # a triangle that hits has nodes on all four sides
-    for bit, side in enumerate((x <= ROOM, x >= -ROOM, y <= ROOM, y >= -ROOM)):
-        code |= side.view(np.uint8) << np.uint8(bit)
-    a, b, c = patch.triangles.T
-    found = np.flatnonzero((code[a] | code[b] | code[c]) == 15)
-    nodes = patch.triangles[found]
-    seen = camera.project(patch.points[nodes.ravel()].astype(np.float64) * lift)
+    found = _near(patch, camera, lift, right, up)
+    seen = camera.project(patch.points[patch.triangles[found].ravel()].astype(np.float64) * lift)
     x, y, depth = seen.T.reshape(3, -1, 3).transpose(0, 2, 1)
     x, y = x - right, y - up
     weights = np.stack(
@@ -54,6 +46,76 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
     nearest = int(np.argmax((shares * depth[:, hit]).sum(axis=0)))
     first, second, third = (float(share) for share in shares[:, nearest])
     return Place(int(found[hit][nearest]), (first, second, third))
+
+
+def _near(patch: Patch, camera: Camera, lift: Vector, right: float, up: float) -> NDArray[np.intp]:
+    """Return the triangles of all boxes that may cover a point of the picture."""
+    if patch.boxes is None:
+        return np.arange(len(patch.triangles))
+    low, high = patch.boxes[:, 0].astype(np.float64), patch.boxes[:, 1].astype(np.float64)
+    middle, half = (low + high) / 2 * lift, (high - low) / 2 * lift
+    near = np.ones(len(low), dtype=bool)
+    room = 1e-9 * float(np.abs(patch.boxes).max()) + 1e-12
+    for axis, place in ((camera.right, right), (np.array(camera.up), up)):
+        away = np.abs((middle - camera.focus) @ axis - place * camera.height)
+        near &= away <= half @ np.abs(axis) + room
+    runs = np.flatnonzero(near)[:, None] * RUN + np.arange(RUN)
+    return runs[runs < len(patch.triangles)]
+
+
+def place_in_view(
+    geometry: Geometry, camera: Camera, relief: bool, view: int, right: float, up: float
+) -> Place | None:
+    """Return the place of T at a point of a view's picture; None beside the surface it shows."""
+    united = geometry.patches[2]
+    if view > 1 or not relief:
+        return place_at(united, camera, relief, right, up)
+    point = point_in_view(geometry, camera, relief, view, right, up)
+    if point is None:
+        return None
+    above = Camera(focus=(float(point[0]), float(point[1]), 0.0))
+    return place_at(united, above, False, 0.0, 0.0)
+
+
+def point_in_view(
+    geometry: Geometry, camera: Camera, relief: bool, view: int, right: float, up: float
+) -> Vector | None:
+    """Return (3,) the point of the surface a view shows, in the scene's coordinates, or None."""
+    patch = geometry.patches[min(view, 2)]
+    place = place_at(patch, camera, relief, right, up)
+    if place is None:
+        return None
+    corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
+    return np.asarray(np.array(place.weights) @ corners)
+
+
+def path_in_view(
+    geometry: Geometry,
+    camera: Camera,
+    relief: bool,
+    view: int,
+    path: Sequence[tuple[float, float]],
+) -> list[tuple[float, float]]:
+    """Return where a path drawn over a view's picture runs in the plane of comparison.
+
+    Beside the surface it runs on the level of the surface's point before, or of the first one. A
+    relief seen from its side has no such level there: those places are left out.
+    """
+    points = [
+        point_in_view(geometry, camera, relief, view, *place) if relief else None for place in path
+    ]
+    heights = [point[2] for point in points if point is not None]
+    level = float(heights[0]) if heights else 0.0
+    back, found = np.array(camera.back), []
+    for point, (right, up) in zip(points, path, strict=True):
+        if point is None and abs(back[2]) > SIDEWAYS:
+            start = camera.at(right, up)
+            point = start + (level - start[2]) / back[2] * back
+        if point is not None:
+            level = float(point[2])
+            x, y = (point + geometry.origin)[:2].tolist()
+            found.append((x, y))
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,18 +149,30 @@ def reading_at(comparison: Comparison, place: Place) -> Reading:
     )
 
 
-def point_at(geometry: Geometry, place: Place, relief: bool) -> NDArray[np.float64]:
-    """Return (3,) where a place of T is drawn, in the scene's coordinates."""
-    patch = geometry.patches[2]
-    corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
-    point = np.array(place.weights) @ corners
-    if not relief:
-        point[2] = 0.0
-    return np.asarray(point)
+def heights_at(
+    comparison: Comparison, geometry: Geometry, nodes: NDArray[np.int32], view: int
+) -> Vector:
+    """Return the scene's heights at nodes of T as a view draws them.
+
+    Of surface 1 or 2 where the view shows it and it has data there, else half way between both.
+    """
+    middle: Vector = geometry.patches[2].points[nodes, 2].astype(np.float64)
+    if view > 1:
+        return middle
+    own = (comparison.z1, comparison.z2)[view][nodes] - geometry.origin[2]
+    return np.asarray(np.where(np.isnan(own), middle, own))
 
 
-def corners_at(geometry: Geometry, place: Place, relief: bool) -> NDArray[np.float64]:
-    """Return (3, 3) the corners of a place's triangle, in the scene's coordinates."""
+def corners_at(content: Content, place: Place, relief: bool, view: int) -> Vector:
+    """Return (3, 3) the corners of a place's triangle where a view draws them."""
+    geometry = content.geometry
     patch = geometry.patches[2]
-    corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
-    return np.asarray(corners * np.array([1.0, 1.0, float(relief)]))
+    nodes = patch.triangles[place.triangle]
+    corners: Vector = patch.points[nodes].astype(np.float64)
+    corners[:, 2] = relief * heights_at(content.comparison, geometry, nodes, view)
+    return corners
+
+
+def point_at(content: Content, place: Place, relief: bool, view: int) -> Vector:
+    """Return (3,) where a view draws a place of T, in the scene's coordinates."""
+    return np.asarray(np.array(place.weights) @ corners_at(content, place, relief, view))

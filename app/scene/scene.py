@@ -117,7 +117,7 @@ def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Sce
             return plain_nodes(len(patches[view].points), view + 1, state.dark)
         return united_nodes(comparison, state.dark)
 
-    lines, line_colours = lines_of(content, state, quiet)
+    lines = [lines_of(content, state, quiet, view) for view in range(VIEWS)]
     layers = [
         MeshLayer(
             patch=patch,
@@ -127,8 +127,8 @@ def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Sce
             relief=state.relief,
             shaded=state.relief or view < 2,
             edges=state.edges,
-            lines=lines,
-            line_colours=line_colours,
+            lines=lines[view][0],
+            line_colours=lines[view][1],
         )
         for view, patch in enumerate(patches)
     ]

@@ -185,9 +185,9 @@ class Canvas(QWidget):
         step = event.position() - self._last
         self._last = event.position()
         right, up = step.x() / max(self.height(), 1), -step.y() / max(self.height(), 1)
-        left = bool(event.buttons() & Qt.MouseButton.LeftButton)
+        turner = Qt.MouseButton.RightButton if self.tool.draws else Qt.MouseButton.LeftButton
         shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        if left and self.turning and not shifted:
+        if event.buttons() & turner and self.turning and not shifted:
             self.turned.emit(right * 3.2, up * 3.2)
         else:
             self.panned.emit(right, up)

@@ -37,10 +37,10 @@ def show(window: MainWindow, name: str) -> None:
 
 @pytest.fixture
 def lassoed(sample: MainWindow, qtbot: QtBot) -> MainWindow:
-    """Give the sample with a region drawn on the map."""
+    """Give the sample with a region drawn over the relief."""
     show(sample, "regions")
     qtbot.mouseClick(sample.regions.lasso, LEFT)
-    assert not sample.display.state.relief
+    assert sample.display.tool is Tool.LASSO
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drag(qtbot, sample.grid.frames[3].canvas, (0.4, 0.4), (0.7, 0.4), (0.7, 0.7), (0.4, 0.7))
     return sample

@@ -280,7 +280,9 @@ def test_lines_are_drawn_over_all_views(small: Comparison, relief: bool):
     state = replace(STATE, relief=relief, section=(-40.0, 0.0, 40.0, 5.0))
     layers = scene_of(content, state).layers
     assert len(layers[0].lines) == len(layers[0].line_colours) > 10
-    assert all(layer.lines is layers[0].lines for layer in layers)
+    assert all(len(layer.lines) == len(layers[0].lines) for layer in layers)
+    assert np.array_equal(layers[2].lines, layers[3].lines)
+    assert np.array_equal(layers[0].lines, layers[2].lines) != relief
     assert np.isfinite(layers[0].lines).all()
     assert (np.ptp(layers[0].lines[..., 2]) > 0) == relief
     border = content.borders[0][0]

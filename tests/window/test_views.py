@@ -1,0 +1,144 @@
+"""What the views do under the mouse, on the map and in relief."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from pytestqt.qtbot import QtBot
+
+from app.model.tool import Tool
+from app.model.view_state import Place
+from app.scene.camera import Camera, home
+from app.scene.content import Content, content_of
+from app.scene.pick import (
+    corners_at,
+    path_in_view,
+    place_at,
+    place_in_view,
+    point_at,
+    point_in_view,
+)
+from app.window import MainWindow
+from surfcmp_core.comparison import Comparison
+from tests.window.builders import comparison_of, hills
+from tests.window.conftest import PATIENCE
+from tests.window.test_panels import drag, show
+
+LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+TURNED = Camera().turned(0.3, -0.7)
+
+
+@pytest.fixture(scope="module")
+def apart() -> Content:
+    """Give two surfaces, the second 30 mm above the first."""
+    one, two = hills(400, 1), hills(300, 2)
+    two[:, 2] += 30.0
+    return content_of(comparison_of(one, two))
+
+
+@pytest.mark.parametrize("view", range(4))
+def test_a_place_is_drawn_where_it_was_picked(apart: Content, view: int):
+    camera = replace(TURNED, height=150.0)
+    found = 0
+    for right, up in np.random.default_rng(0).uniform(-0.4, 0.4, (60, 2)).tolist():
+        place = place_in_view(apart.geometry, camera, True, view, right, up)
+        if place is None:
+            continue
+        point = point_at(apart, place, True, view)
+        seen = camera.project(point[None])[0]
+        found += np.allclose(seen[:2], (right, up), atol=0.01)
+    assert found > 20
+
+
+def test_surfaces_far_apart_have_labels_on_either(apart: Content):
+    middle = place_in_view(apart.geometry, Camera(height=150.0), False, 0, 0.0, 0.0)
+    assert middle is not None
+    heights = [point_at(apart, middle, True, view)[2] for view in range(4)]
+    assert heights[1] - heights[0] == pytest.approx(30.0, abs=8.0)
+    assert heights[2] == heights[3]
+    assert heights[2] == pytest.approx((heights[0] + heights[1]) / 2)
+    assert (corners_at(apart, middle, False, 0)[:, 2] == 0).all()
+
+
+def test_boxes_find_what_a_search_through_all_triangles_finds(small: Comparison):
+    patch = content_of(small).geometry.patches[2]
+    camera = home(content_of(small).geometry, 1.0, True).turned(0.2, -0.8)
+    for right, up in np.random.default_rng(1).uniform(-0.5, 0.5, (200, 2)).tolist():
+        slow = place_at(replace(patch, boxes=None), camera, True, right, up)
+        assert place_at(patch, camera, True, right, up) == slow
+
+
+@pytest.mark.parametrize("view", [0, 3])
+def test_a_path_over_the_relief_lies_under_what_is_seen(apart: Content, view: int):
+    camera = replace(TURNED, height=150.0)
+    path = [(0.0, 0.0), (0.05, 0.02), (0.1, 0.03)]
+    places = path_in_view(apart.geometry, camera, True, view, path)
+    for (right, up), place in zip(path, places, strict=True):
+        point = point_in_view(apart.geometry, camera, True, view, right, up)
+        assert point is not None
+        assert np.allclose(place, (point + apart.geometry.origin)[:2])
+
+
+def test_a_path_beside_the_surface_keeps_its_level(apart: Content):
+    camera = replace(TURNED, height=150.0)
+    places = path_in_view(apart.geometry, camera, True, 0, [(0.0, 0.0), (3.0, 0.0)])
+    assert len(places) == 2
+    across = np.subtract(places[1], places[0])
+    assert np.hypot(*across) > 200
+    from_its_side = Camera(height=150.0).turned(0.0, -np.pi / 2)
+    assert path_in_view(apart.geometry, from_its_side, True, 0, [(3.0, 3.0)]) == []
+
+
+def test_on_the_map_a_path_is_where_it_is_drawn(apart: Content):
+    camera = Camera(height=150.0)
+    places = path_in_view(apart.geometry, camera, False, 0, [(0.1, -0.2), (7.0, 0.0)])
+    assert np.allclose(places - apart.geometry.origin[:2], [(15.0, -30.0), (1050.0, 0.0)])
+
+
+def test_the_right_button_turns_while_a_tool_is_in_hand(sample: MainWindow, qtbot: QtBot):
+    canvas, start = sample.grid.frames[0].canvas, sample.display.camera
+    qtbot.keyClick(sample, Qt.Key.Key_L)
+    assert sample.display.tool is Tool.LASSO
+    assert sample.display.state.relief
+    centre = canvas.rect().center()
+    qtbot.mousePress(canvas, RIGHT, pos=centre)
+    qtbot.mouseMove(canvas, centre + QPoint(40, 10))
+    qtbot.mouseRelease(canvas, RIGHT, pos=centre + QPoint(40, 10))
+    assert sample.display.camera.back != start.back
+    assert sample.session.document.regions == ()
+    qtbot.keyClick(sample, Qt.Key.Key_V)
+
+
+@pytest.mark.parametrize("relief", [True, False])
+def test_a_section_follows_the_line_on_the_screen(sample: MainWindow, relief: bool, qtbot: QtBot):
+    sample.display.change(relief=relief)
+    show(sample, "section")
+    qtbot.mouseClick(sample.section.line, LEFT)
+    assert sample.display.state.relief == relief
+    canvas = sample.grid.frames[1].canvas
+    drag(qtbot, canvas, (0.4, 0.5), (0.5, 0.5), (0.6, 0.55))
+    section = sample.display.state.section
+    assert section is not None
+    content = sample.display.content
+    assert content is not None
+    for x, y, corner in ((*section[:2], (0.4, 0.5)), (*section[2:], (0.6, 0.55))):
+        above = Camera(focus=(x - content.geometry.origin[0], y - content.geometry.origin[1], 0.0))
+        place = place_at(content.geometry.patches[2], above, False, 0.0, 0.0)
+        assert isinstance(place, Place)
+        point = point_at(content, place, relief, 1)
+        right, up, _ = sample.display.camera.project(point[None])[0]
+        at = canvas._position(right, up)
+        assert at.x() == pytest.approx(corner[0] * canvas.width(), abs=3)
+        assert at.y() == pytest.approx(corner[1] * canvas.height(), abs=3)
+
+
+def test_a_brush_paints_the_relief(sample: MainWindow, qtbot: QtBot):
+    show(sample, "regions")
+    qtbot.mouseClick(sample.regions.brush, LEFT)
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        drag(qtbot, sample.grid.frames[0].canvas, (0.45, 0.4), (0.5, 0.4), (0.55, 0.4))
+    assert sample.display.state.relief
+    first, *_ = sample.session.shown.regions
+    assert first.measures is not None
+    assert first.triangles > 20
