@@ -1,16 +1,13 @@
 """All commands of `surfcmp`."""
 
-import signal
-import threading
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from types import FrameType
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
 
 from surfcmp_core.cli import batch, compare, info, thin
 from surfcmp_core.cli.statuses import INTERRUPTED
+from surfcmp_core.cli.stopping import stopping_soon
 
 commands = typer.Typer(
     name="surfcmp",
@@ -46,27 +43,10 @@ def _options(
 
 def run_command(arguments: Sequence[str]) -> int:
     """Run the command that the arguments name; return its exit status."""
-    try:
-        with _termination_like_ctrl_c():
+    with stopping_soon():
+        try:
             commands(list(arguments), prog_name="surfcmp")
-    except SystemExit as end:
-        # 1 is typer's word for a reader that went away.
-        return INTERRUPTED if end.code == 1 else int(end.code or 0)
+        except SystemExit as end:
+            # 1 is typer's word for a reader that went away.
+            return INTERRUPTED if end.code == 1 else int(end.code or 0)
     return 0
-
-
-@contextmanager
-def _termination_like_ctrl_c() -> Iterator[None]:
-    """Let a polite kill clean up as Ctrl-C does."""
-
-    def stop(_signal: int, _frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGTERM, stop)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

@@ -29,6 +29,10 @@ WRITERS: dict[str, Writer] = {
 """The formats of results, by the ending of the file's name."""
 
 
+_unfinished: set[Path] = set()
+"""Files that are being written beside their places."""
+
+
 class OutputError(SurfcmpError):
     """A result cannot be written; the message names the file and the fault."""
 
@@ -100,6 +104,7 @@ def write_all(contents: dict[Path, Callable[[BinaryIO], None]]) -> None:
             target = os.path.realpath(path)
             temporary = _beside(target, len(staged))
             staged.append((temporary, target))
+            _unfinished.add(temporary)
             with temporary.open("xb") as stream:
                 write(stream)
         for temporary, target in staged:
@@ -109,6 +114,13 @@ def write_all(contents: dict[Path, Callable[[BinaryIO], None]]) -> None:
     finally:
         for temporary, _target in staged:
             temporary.unlink(missing_ok=True)
+            _unfinished.discard(temporary)
+
+
+def drop_unfinished() -> None:
+    """Remove what is being written, where the process ends without unwinding."""
+    for temporary in _unfinished:
+        temporary.unlink(missing_ok=True)
 
 
 def _beside(target: str, number: int) -> Path:

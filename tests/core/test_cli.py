@@ -15,6 +15,7 @@ import surfcmp_core
 from app import __main__ as program
 from app.__main__ import main
 from surfcmp_core.placement import look_at
+from surfcmp_core.report import WRITERS
 from surfcmp_core.samples import sample_pair
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
@@ -412,7 +413,7 @@ def test_interruption_is_130_and_leaves_nothing(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", interrupted)
+    monkeypatch.setitem(WRITERS, ".npz", interrupted)
     before = sorted(tmp_path.iterdir())
     outs = [str(tmp_path / "r.json"), "--out", str(tmp_path / "r.npz")]
     assert main(["compare", *pair, "--out", *outs]) == 130
@@ -427,7 +428,7 @@ def test_termination_cleans_up_as_interruption_does(
         os.kill(os.getpid(), signal.SIGTERM)
         time.sleep(5)
 
-    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", terminated)
+    monkeypatch.setitem(WRITERS, ".npz", terminated)
     before = sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)
     assert main(["compare", *pair, "--out", str(tmp_path / "r.npz")]) == 130
     assert (sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)) == before
@@ -442,7 +443,7 @@ def test_a_full_disk_is_3_and_one_line(
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setitem(surfcmp_core.report.outputs.WRITERS, ".npz", full)
+    monkeypatch.setitem(WRITERS, ".npz", full)
     out = tmp_path / "r.npz"
     assert main(["compare", *pair, "--out", str(out)]) == 3
     assert lines(capsys) == [f"surfcmp: {out}: cannot be written (No space left on device)"]

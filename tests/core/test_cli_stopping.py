@@ -1,0 +1,63 @@
+"""Ctrl-C ends the program soon and leaves nothing, even where something does not unwind."""
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).parents[2]
+
+STUBBORN = """
+import sys, time
+from app.__main__ import main
+from surfcmp_core.cli import stopping
+from surfcmp_core.report import outputs
+
+class HalfMade:
+    def __del__(self):
+        self.handle
+
+def stubborn(_comparison, _document, stream):
+    stream.write(b"half")
+    made = HalfMade()
+    print("writing", flush=True)
+    try:
+        time.sleep(60)
+    finally:
+        if "stubborn" in sys.argv[1]:
+            time.sleep(60)
+
+stopping.PATIENCE = 1
+outputs.WRITERS[".npz"] = stubborn
+sys.exit(main(sys.argv[2:]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "alarm"), reason="no alarms on this system")
+@pytest.mark.parametrize("kind", ["gentle", "stubborn", "stubborn, twice"])
+def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) -> None:
+    for name, height in (("a", 0), ("b", 1)):
+        (tmp_path / f"{name}.xyz").write_text(
+            "".join(f"{x} {y} {height}\n" for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        )
+    before = sorted(tmp_path.iterdir())
+    files = [str(tmp_path / "a.xyz"), str(tmp_path / "b.xyz")]
+    command = ["compare", *files, "--out", str(tmp_path / "r.npz"), "--quiet"]
+    with subprocess.Popen(
+        [sys.executable, "-c", STUBBORN, kind, *command],
+        cwd=PROJECT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as running:
+        assert running.stdout
+        assert running.stdout.readline() == "writing\n"
+        running.send_signal(signal.SIGINT)
+        if kind.endswith("twice"):
+            running.send_signal(signal.SIGTERM)
+        said = running.communicate(timeout=30)
+    assert running.returncode == 130
+    assert said == ("", "")
+    assert sorted(tmp_path.iterdir()) == before
