@@ -6,12 +6,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QEasingCurve, QObject, Qt, QTimer, QVariantAnimation, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QStyle
 
 from app.model.tool import Tool
 from app.model.view_state import Place, ViewState
 from app.numbers import short
-from app.scene.camera import Camera, home, showing
+from app.scene.camera import Camera, between, home, showing
 from app.scene.content import Content
 from app.scene.pick import (
     corners_at,
@@ -21,9 +23,10 @@ from app.scene.pick import (
     point_in_view,
     reading_at,
 )
+from app.theme import theme
 from app.views.canvas import Label
 from app.views.grid import ViewGrid
-from app.views.studio import Pictures, Studio, Wish
+from app.views.studio import Pictures, Print, Studio, Wish
 
 ARROWS = {
     int(Qt.Key.Key_Left): (-1, 0),
@@ -39,6 +42,9 @@ ZOOMS = {
 
 REST_MILLISECONDS = 140
 """The camera rests when it has not moved for so long."""
+FLIGHT_MILLISECONDS = 260
+SLOW_SECONDS = 0.1
+"""Where a picture takes longer while the camera moves, it jumps in place of flying."""
 
 
 class Display(QObject):
@@ -49,6 +55,7 @@ class Display(QObject):
     shown = Signal(object)
     """Pictures reached the screen."""
     tool_changed = Signal(object)
+    _printed = Signal(object, object)
     path_drawn = Signal(object, object)
     """Tool, and places (x, y) in the plane of comparison."""
     landmark_picked = Signal(int, object)
@@ -61,11 +68,19 @@ class Display(QObject):
         self.state = ViewState()
         self.content: Content | None = None
         self._camera = self._seen = Camera()
+        self._flight = QVariantAnimation(self, startValue=0.0, endValue=1.0)
+        self._flight.setDuration(FLIGHT_MILLISECONDS)
+        self._flight.setEasingCurve(QEasingCurve.Type.InOutCubic)
+        self._flight.valueChanged.connect(self._fly_on)
+        self._flight.finished.connect(self._land)
+        self._from = self._to = self._camera
+        self._frame_seconds = 0.0
         self._landmarks: list[tuple[int, NDArray[np.float64], str]] = []
         self.tool = Tool.LOOK
         self._brush = 0.0
         self._rest = QTimer(self, singleShot=True, interval=REST_MILLISECONDS)
         self._rest.timeout.connect(self.draw)
+        self._printed.connect(self._use_print)
         grid.pressed = self.press
         for view, frame in enumerate(grid.frames):
             canvas = frame.canvas
@@ -80,8 +95,13 @@ class Display(QObject):
 
     @property
     def camera(self) -> Camera:
-        """Where all views look from."""
-        return self._camera
+        """Where all views look from, or fly to."""
+        return self._to if self._flying else self._camera
+
+    @property
+    def seen(self) -> Camera:
+        """The camera of the pictures on the screen."""
+        return self._seen
 
     def set_content(self, content: Content | None) -> None:
         """Show another comparison; the camera stays where the box is much the same."""
@@ -91,6 +111,7 @@ class Display(QObject):
             names = ("picked", "probes", "chain", "brush", "section")
             self.state = replace(self.state, **{name: getattr(nothing, name) for name in names})
         if content is not None and (old is None or not _alike(old, content)):
+            self._flight.stop()
             self._camera = home(content.geometry, self._aspect(), self.state.relief)
         self.changed.emit()
         self.draw()
@@ -102,12 +123,11 @@ class Display(QObject):
             return
         old, self.state = self.state, state
         if old.relief != state.relief and self.content is not None:
-            self._camera = self._camera.from_above()
+            camera = self.camera.from_above()
             if state.relief:
-                self._camera = replace(
-                    home(self.content.geometry, self._aspect(), True),
-                    height=self._camera.height,
-                )
+                first = home(self.content.geometry, self._aspect(), True)
+                camera = replace(first, height=camera.height)
+            self.fly(camera)
         if old.filled != state.filled:
             self._grid.fill(state.filled)
         self.changed.emit()
@@ -122,21 +142,60 @@ class Display(QObject):
     def go_home(self) -> None:
         """Show everything again, as at first."""
         if self.content is not None:
-            self._camera = home(self.content.geometry, self._aspect(), self.state.relief)
-            self.draw()
+            self.fly(home(self.content.geometry, self._aspect(), self.state.relief))
+
+    def look_from_above(self) -> None:
+        """Look straight down, y upwards, at what is in the middle."""
+        self.fly(self.camera.from_above())
 
     def look_at(self, low: Any, high: Any) -> None:
         """Move to a box in the scene's coordinates, keeping the direction of view."""
         if not self.state.relief:
             low, high = low.copy(), high.copy()
             low[2] = high[2] = 0.0
-        self._camera = showing(low, high, self._aspect(), self._camera)
+        self.fly(showing(low, high, self._aspect(), self.camera))
+
+    def fly(self, camera: Camera) -> None:
+        """Move to a camera, smoothly where pictures come fast enough and motion is welcome."""
+        self._from, self._to = self._camera, camera
+        self._flight.stop()
+        style = self._grid.style()
+        still = style.styleHint(QStyle.StyleHint.SH_Widget_Animation_Duration) == 0
+        if still or self._frame_seconds > SLOW_SECONDS or not self._grid.isVisible():
+            self._camera = camera
+            self.draw()
+        else:
+            self._flight.start()
+
+    @property
+    def _flying(self) -> bool:
+        return self._flight.state() == QVariantAnimation.State.Running
+
+    def _fly_on(self, share: float) -> None:
+        if self._flying:
+            self._camera = between(self._from, self._to, share)
+            self._wish(moving=True)
+
+    def _land(self) -> None:
+        self._camera = self._to
         self.draw()
 
     def draw(self) -> None:
         """Have the views drawn sharply."""
         self._rest.stop()
-        self._wish(moving=False)
+        self._wish(moving=self._flying)
+
+    def print(self, density: float, use: Callable[[], object]) -> None:
+        """Call `use` while the views hold pictures with `density` times the screen's pixels."""
+        if self.content is None or self._studio is None:
+            return
+        wish = Wish(self.content, self.state, self.camera, self._grid.sizes(), moving=False)
+        self._studio.print(Print(wish, density, lambda images: self._printed.emit(images, use)))
+
+    def _use_print(self, images: dict[int, QImage], use: Callable[[], object]) -> None:
+        if self._studio is not None:
+            with self._grid.holding(images, theme(self.state.dark)):
+                use()
 
     def press(self, key: int, shifted: bool) -> bool:
         """Move the camera by a key; say whether the key means anything."""
@@ -161,10 +220,12 @@ class Display(QObject):
     def close(self, seconds: float) -> bool:
         """End the drawing; return whether it could be done in so many seconds."""
         self._rest.stop()
+        self._flight.stop()
         studio, self._studio = self._studio, None
         return studio is None or studio.close(seconds)
 
     def _move(self, step: Callable[[Camera], Camera]) -> None:
+        self._flight.stop()
         self._camera = step(self._camera)
         self._wish(moving=True)
         self._rest.start()
@@ -229,6 +290,8 @@ class Display(QObject):
             return
         self._grid.show_pictures(pictures)
         self._seen = pictures.wish.camera
+        if pictures.wish.moving:
+            self._frame_seconds = pictures.seconds
         self._show_labels()
         self.shown.emit(pictures)
 

@@ -198,7 +198,7 @@ class Showing(QObject):
         return ""
 
     def _measure_views(self) -> None:
-        height = self._window.display.camera.height
+        height = self._window.display.seen.height
         for frame in self._window.grid.frames:
             frame.measure(height / max(frame.canvas.height(), 1), self.unit)
 

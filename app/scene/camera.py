@@ -91,6 +91,20 @@ class Camera:
         return seen
 
 
+def between(one: Camera, two: Camera, share: float) -> Camera:
+    """Return the camera on the way from `one` (share 0) to `two` (share 1), turning evenly."""
+    axes = [np.stack([camera.right, camera.up, camera.back], axis=1) for camera in (one, two)]
+    turn = axes[1] @ axes[0].T
+    angle = float(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1.0, 1.0)))
+    about = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+    if np.linalg.norm(about) < 1e-9:  # not at all, or half way round: about any axis across
+        about = np.array(one.up)
+    now = _rotation(about, share * angle) @ axes[0]
+    focus = (1 - share) * np.array(one.focus) + share * np.array(two.focus)
+    height = one.height ** (1 - share) * two.height**share
+    return Camera(_tuple(focus), _tuple(now[:, 2]), _tuple(now[:, 1]), height)
+
+
 def showing(low: Vector, high: Vector, aspect: float, camera: Camera | None = None) -> Camera:
     """Return the camera, turned as `camera` is, that shows the box from `low` to `high`."""
     start = camera or Camera()

@@ -74,6 +74,11 @@ class Canvas(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(480, 360)
 
+    @property
+    def image(self) -> QImage | None:
+        """The picture it shows."""
+        return self._image
+
     def show_image(self, image: QImage | None, theme: Theme) -> None:
         """Show a picture, stretched to the widget where their sizes differ."""
         self._image, self._theme = image, theme

@@ -1,10 +1,11 @@
 """The four views side by side; any of them can fill the place."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import override
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QImage, QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.theme import UNIT, Theme, theme
@@ -55,6 +56,18 @@ class ViewGrid(QWidget):
             for k, frame in enumerate(self.frames)
             if frame.isVisibleTo(self)
         )
+
+    @contextmanager
+    def holding(self, images: dict[int, QImage], colours: Theme) -> Iterator[None]:
+        """Hold other pictures for as long as the block runs."""
+        before = {view: self.frames[view].canvas.image for view in images}
+        for view, image in images.items():
+            self.frames[view].canvas.show_image(image, colours)
+        try:
+            yield
+        finally:
+            for view, old in before.items():
+                self.frames[view].canvas.show_image(old, colours)
 
     def show_pictures(self, pictures: Pictures) -> None:
         """Put finished pictures on the canvases."""

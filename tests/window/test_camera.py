@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.scene.camera import Camera, home, showing
+from app.scene.camera import Camera, between, home, showing
 from app.scene.geometry import geometry_of
 from app.scene.pick import place_at
 from surfcmp_core.comparison import Comparison
@@ -19,6 +19,22 @@ def test_turning_keeps_the_axes_at_right_angles(a: float, b: float, c: float, d:
     camera = Camera().turned(a, b).turned(c, d)
     axes = np.stack([camera.right, camera.up, camera.back])
     assert np.allclose(axes @ axes.T, np.eye(3), atol=1e-9)
+
+
+@given(angle, angle, angle, angle, st.floats(0, 1))
+def test_between_two_cameras_the_axes_stay_at_right_angles(
+    a: float, b: float, c: float, d: float, share: float
+):
+    one = Camera(height=2.0).turned(a, b)
+    two = Camera(focus=(1.0, 2.0, 3.0), height=8.0).turned(c, d)
+    for camera, end in ((between(one, two, 0.0), one), (between(one, two, 1.0), two)):
+        assert np.allclose(camera.back, end.back, atol=1e-6)
+        assert np.allclose(camera.up, end.up, atol=1e-6)
+        assert np.allclose(camera.focus, end.focus)
+        assert camera.height == pytest.approx(end.height)
+    camera = between(one, two, share)
+    axes = np.stack([camera.right, camera.up, camera.back])
+    assert np.allclose(axes @ axes.T, np.eye(3), atol=1e-6)
 
 
 @given(st.floats(0.2, 5.0), small_number, small_number)
