@@ -57,8 +57,9 @@ class Actions(QObject):
             keys = "Ctrl+P" if ending == ".html" else ""
             text = f"{self.tr(name)} ({ending})…"
             self._add(self.export, text, partial(self._export, ending), keys)
-        views = self.tr("Picture of the views (.png)…")
-        self._add(self.export, views, lambda: window.exporting.ask_views())
+        for density in (2, 4):
+            views = self.tr("Picture of the views, {} × the screen (.png)…").format(density)
+            self._add(self.export, views, partial(self._export_views, density))
         self.export.addSeparator()
         self.hide = self._add(self.export, self.tr("Hide names and paths"), self._hide_names)
         self.hide.setCheckable(True)
@@ -82,6 +83,8 @@ class Actions(QObject):
         self.view_menu.addSeparator()
         self._add(self.view_menu, self.tr("Map or relief"), self.toggle_relief, "M")
         self._add(self.view_menu, self.tr("Show everything"), window.display.go_home, "Home")
+        above = self.tr("Look from above")
+        self._add(self.view_menu, above, window.display.look_from_above, "T")
         self._add(self.view_menu, self.tr("Triangles' sides"), self.toggle_edges, "E")
         self._add(self.view_menu, self.tr("Dark or light"), self.toggle_dark, "Ctrl+D")
         keep = self.tr("Keep the label")
@@ -180,6 +183,9 @@ class Actions(QObject):
 
     def _export(self, ending: str) -> None:
         self._window.exporting.ask(ending)
+
+    def _export_views(self, density: int) -> None:
+        self._window.exporting.ask_views(density)
 
     def _hide_names(self) -> None:
         self._window.exporting.hide_names = self.hide.isChecked()

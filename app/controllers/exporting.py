@@ -5,13 +5,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject
 from PySide6.QtGui import QImage, QPixmap
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.jobs.exporting import Picture, export
 from app.jobs.runner import Runner
 
 if TYPE_CHECKING:
     from app.window import MainWindow
+
+
+REPORT_DENSITY = 2
+"""Pixels of a report's pictures for each one of the screen, along each side."""
 
 
 class Exporting(QObject):
@@ -41,35 +45,62 @@ class Exporting(QObject):
         result, hide = self._window.session.shown, self.hide_names
         if result is None:
             return
-        pictures = self.pictures() if path.suffix == ".html" else []
-        self.runner.start(lambda _progress: export(result, path, pictures, hide))
+        state = self._window.display.state
 
-    def ask_views(self) -> None:
-        """Ask for a file and write the views as one picture."""
+        def begin(pictures: list[Picture]) -> None:
+            self.runner.start(lambda _progress: export(result, state, path, pictures, hide))
+
+        if path.suffix in {".html", ".pdf"}:
+            self._window.display.print(REPORT_DENSITY, lambda: begin(self.pictures(REPORT_DENSITY)))
+        else:
+            begin([])
+
+    def ask_views(self, density: int) -> None:
+        """Ask for a file and write the views as one picture, so many times as fine as here."""
         name = QFileDialog.getSaveFileName(
             self._window, self.tr("Picture of the views"), "views.png", "*.png"
         )[0]
-        if name and not self.picture_of_views().save(name):
-            self._window.banner.tell(self.tr("{} cannot be written").format(name))
+        if name:
+            path = Path(name).with_suffix(".png")
+            self._window.display.print(density, lambda: self.write_views(path, density))
 
-    def picture_of_views(self) -> QPixmap:
-        """Return the views as they are on the screen, twice as fine."""
+    def write_views(self, path: Path, density: int) -> None:
+        """Write the views as they stand, with `density` times the pixels of the screen."""
+        if self.picture_of_views(density).save(str(path)):
+            self._finished(path)
+        else:
+            self._window.banner.tell(self.tr("{} cannot be written").format(path.name))
+
+    def picture_of_views(self, density: int) -> QPixmap:
+        """Return the views with their titles."""
         grid = self._window.grid
-        picture = QPixmap(grid.size() * 2)
-        picture.setDevicePixelRatio(2)
-        grid.render(picture)
+        if self.hide_names:
+            for frame in grid.frames[:2]:
+                frame.title.set_texts(frame.title.text, "")
+        picture = _drawn(grid, density)
+        if self.hide_names:
+            self._window.display.changed.emit()  # the names are shown again
         return picture
 
-    def pictures(self) -> list[Picture]:
+    def pictures(self, density: int) -> list[Picture]:
         """Return each visible view with its scale and legend, as PNG files."""
         return [
-            (frame.title.text, _png(frame.canvas.grab().toImage()))
+            (frame.title.text, _png(_drawn(frame.canvas, density).toImage()))
             for frame in self._window.grid.frames
             if frame.isVisible()
         ]
 
     def _finished(self, path: Path) -> None:
         self._window.banner.tell(self.tr("Saved {}").format(path), "note")
+
+
+def _drawn(widget: QWidget, density: int) -> QPixmap:
+    """Draw a widget with `density` times its pixels on the screen."""
+    ratio = density * widget.devicePixelRatioF()
+    picture = QPixmap(widget.size() * ratio)
+    picture.setDevicePixelRatio(ratio)
+    widget.render(picture)
+    return picture
 
 
 def _png(image: QImage) -> bytes:

@@ -79,6 +79,26 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
     return document
 
 
+def region_document(
+    name: str | None,
+    colour: tuple[int, int, int] | None,
+    weight: float,
+    triangles: int,
+    measures: Measures | None,
+) -> Document:
+    """Describe one region, for the key "regions"; without a name: all that lies in none."""
+    document: Document = _strict(
+        {
+            "name": name,
+            "colour": colour,
+            "weight": weight,
+            "triangles": triangles,
+            "measures": None if measures is None else _measures(measures),
+        }
+    )
+    return document
+
+
 def _measures(measures: Measures) -> Document:
     """Every measure by its key; the exact reading's under "exact", where there is one."""
     document = asdict(replace(measures, exact=None))

@@ -1,6 +1,5 @@
 """Pictures of a comparison without a display: heatmaps and the histogram."""
 
-import math
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,20 +11,32 @@ from numpy.typing import NDArray
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.provenance import base_name, key_figures
+from surfcmp_core.report.scale import (
+    ABOVE,
+    BELOW,
+    NOT_COMPARED,
+    Scale,
+    band_colours,
+    band_edges,
+    bands_of,
+    colour_table,
+    scale_of,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.colorbar import Colorbar
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
 INK = "#1f2430"
 QUIET = "#6b7280"
-NOT_COMPARED = "#b4b8bf"
-NOT_COMPARED_INK = "#8b919b"
-ABOVE = "#d400a0"
-BELOW = "#7028e4"
+NOT_COMPARED_INK = "#868c97"
 MAP_MARGINS = (0.75, 0.6, 1.15)
-"""Inches left of a map, below it, and right of it for its scale."""
+"""Inches left of a map, below it, and right of it for a scale that stands."""
+LYING = 0.75
+"""Inches below a map's axes for a scale that lies."""
+BINS = 80
 _STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 9.0,
@@ -37,21 +48,6 @@ _STYLE: Any = {
     "text.color": INK,
     "axes.formatter.useoffset": False,
 }
-
-
-def scale_end(comparison: Comparison) -> float:
-    """Return a round number with at most a hundredth of the area beyond it."""
-    values, area = comparison.mean_abs[comparison.compared], comparison.area[comparison.compared]
-    order = np.argsort(values)
-    share = np.cumsum(area[order])
-    if not share.size or not math.isfinite(share[-1]):
-        return 1.0
-    value = float(values[order][np.searchsorted(share, 0.99 * share[-1])])
-    if not math.isfinite(value) or value <= 0:
-        return 1.0
-    power = 10.0 ** math.floor(math.log10(value))
-    steps = (1, 1.5, 2, 3, 4, 5, 6, 8, 10)
-    return float(f"{next(k for k in steps if value <= k * power * (1 + 1e-9)) * power:g}")
 
 
 def heatmap(
@@ -109,8 +105,9 @@ def draw_map(
     place: tuple[float, float, float, float],
     *,
     signed: bool,
+    lying: bool = False,
 ) -> None:
-    """Draw the map and, right of it, its scale.
+    """Draw the map and its scale.
 
     Parameters
     ----------
@@ -122,35 +119,36 @@ def draw_map(
         Left, bottom, width and height in inches, without `MAP_MARGINS`.
     signed
         d itself, else |d|.
+    lying
+        The scale lies below the map, else it stands right of it.
     """
     import matplotlib as mpl
 
     unit = document["options"]["unit"]
-    end = scale_end(comparison)
+    scale = scale_of(comparison, document)
     low, high = _frame(comparison)
     left, bottom, width, height = place
-    bar_height = max(min(height, 3.6), 1.2)
     values = comparison.mean_signed if signed else comparison.mean_abs
-    beyond = bool(np.nanmax(values, initial=0.0) > end)
-    below = bool(signed and np.nanmin(values, initial=0.0) < -end)
-    extend = {(0, 0): "neither", (1, 0): "max", (0, 1): "min", (1, 1): "both"}[beyond, below]
     with mpl.rc_context(_STYLE):
         axes = figure.add_axes(_inches(figure, left, bottom, width, height))
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})")
         axes.locator_params(axis="x", nbins=max(2, int(width / 0.9)))
         axes.locator_params(axis="y", nbins=max(2, int(height / 0.6)))
-        span = {"vmin": -end if signed else 0.0, "vmax": end}
-        painted = _paint(axes, comparison, values, cmap=colours(signed), **span)
-        beside = (left + width + 0.2, bottom + (height - bar_height) / 2, 0.14, bar_height)
-        bar = figure.colorbar(
-            painted,
-            cax=figure.add_axes(_inches(figure, *beside)),
-            extend=extend,
-            extendfrac=0.05,
-        )
+        if scale.bands:
+            table = band_colours(scale, signed)
+            span = (-0.5, len(table) - 0.5)
+            _paint(axes, comparison, bands_of(values, scale, signed), _listed(table), span)
+        else:
+            span = (-scale.end if signed else 0.0, scale.end)
+            _paint(axes, comparison, values, colours(signed), span)
+        if lying:
+            beside = (left, bottom - LYING, width, 0.12)
+        else:
+            tall = max(min(height, 3.6), 1.2)
+            beside = (left + width + 0.2, bottom + (height - tall) / 2, 0.14, tall)
+        bar = _scale_bar(figure, beside, scale, signed, _beyond(values, scale, signed), lying)
         bar.set_label(f"{'z₁ − z₂' if signed else '|z₁ − z₂|'} ({unit})")
-        bar.outline.set_linewidth(0.6)
         if not comparison.compared.all():
             axes.annotate(
                 "■ not compared",
@@ -164,15 +162,59 @@ def draw_map(
             )
 
 
-def colours(signed: bool) -> "Colormap":
-    """Return the colour map of differences, the window's own: pale is small, never black."""
-    from cmcrameri import cm
+def _beyond(values: NDArray[np.float64], scale: Scale, signed: bool) -> str:
+    """Say, in matplotlib's words, at which ends of the scale values lie beyond it."""
+    over = bool(np.nanmax(values, initial=0.0) > scale.end)
+    under = bool(signed and np.nanmin(values, initial=0.0) < -scale.end)
+    return {(0, 0): "neither", (1, 0): "max", (0, 1): "min", (1, 1): "both"}[over, under]
+
+
+def _scale_bar(
+    figure: "Figure",
+    place: tuple[float, float, float, float],
+    scale: Scale,
+    signed: bool,
+    extend: str,
+    lying: bool,
+) -> "Colorbar":
+    """Draw a scale at left, bottom, width and height in inches."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import BoundaryNorm, Normalize
+
+    kind: dict[str, Any] = {"orientation": "horizontal" if lying else "vertical"}
+    if scale.bands:
+        table = band_colours(scale, signed)
+        edges = band_edges(scale, signed).tolist()
+        inner = table[1:-1] if signed else table[:-1]
+        cmap = _listed(inner).with_extremes(over=table[-1] / 255, under=table[0] / 255)
+        edges = edges if signed else [0.0, *edges]
+        source = ScalarMappable(BoundaryNorm(edges, len(inner)), cmap)
+        kind |= {"extend": "both" if signed else "max", "spacing": "uniform", "ticks": edges}
+        kind |= {"extendfrac": "auto", "extendrect": True, "drawedges": True}
+    else:
+        source = ScalarMappable(Normalize(-scale.end if signed else 0, scale.end), colours(signed))
+        kind |= {"extend": extend, "extendfrac": 0.05}
+    bar = figure.colorbar(source, cax=figure.add_axes(_inches(figure, *place)), **kind)
+    if scale.bands:
+        bar.dividers.set_linewidth(0.4)
+        bar.ax.set(**{"xticklabels" if lying else "yticklabels": [_short(edge) for edge in edges]})
+    bar.outline.set_linewidth(0.6)
+    return bar
+
+
+def _short(value: float) -> str:
+    return f"{value:g}".replace("-", "−")
+
+
+def _listed(table: NDArray[np.uint8]) -> "Colormap":
     from matplotlib.colors import ListedColormap
 
-    pale_first = ListedColormap(cm.lajolla(np.linspace(1.0, 0.1, 256)))
-    return (cm.vik if signed else pale_first).with_extremes(
-        bad=NOT_COMPARED, over=ABOVE, under=BELOW
-    )
+    return ListedColormap(table / 255).with_extremes(bad=NOT_COMPARED)
+
+
+def colours(signed: bool) -> "Colormap":
+    """Return the colour map of a continuous scale."""
+    return _listed(colour_table(signed)).with_extremes(bad=NOT_COMPARED, over=ABOVE, under=BELOW)
 
 
 def histogram(comparison: Comparison, document: Document) -> "Figure":
@@ -190,26 +232,29 @@ def draw_histogram(
 ) -> None:
     """Draw the histogram at left, bottom, width and height in inches."""
     import matplotlib as mpl
-    from matplotlib.ticker import PercentFormatter
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     unit = document["options"]["unit"]
+    scale = scale_of(comparison, document)
     compared = comparison.compared
     values, area = comparison.mean_abs[compared], comparison.area[compared]
     total = float(area.sum()) or 1.0
-    limit = scale_end(comparison)
-    p95 = document["measures"]["p95"] or limit
-    end = min(1.25 * limit, 4 * p95)
-    edges = np.linspace(0, end, 61)
+    edges = np.linspace(0, scale.end, BINS + 1)
     middle = (edges[1:] + edges[:-1]) / 2
-    share = np.histogram(np.minimum(values, end), bins=edges, weights=area)[0] / total
-    beyond = float(area[values > end].sum()) / total
-    last = f"; last bar: {100 * beyond:.2g} % lie beyond" if beyond > 0 else ""
+    share = np.histogram(values, bins=edges, weights=area)[0] / total
+    beyond = float(area[values > scale.end].sum()) / total
+    if scale.bands:
+        colour = band_colours(scale, signed=False)[
+            bands_of(middle, scale, signed=False).astype(np.intp)
+        ]
+    else:
+        colour = colour_table(signed=False)[(256 * middle / scale.end).astype(np.intp)]
     with mpl.rc_context(_STYLE):
         axes = figure.add_axes(_inches(figure, *place))
-        colour = colours(signed=False)(middle / limit)
-        axes.bar(middle, share, width=np.diff(edges), color=colour, edgecolor=INK, linewidth=0.3)
+        style: Any = {"edgecolor": QUIET, "linewidth": 0.3}
+        axes.bar(middle, share, width=np.diff(edges), color=colour / 255, **style)
         for tolerance in comparison.options.tolerances:
-            if tolerance < end:
+            if tolerance < scale.end:
                 axes.axvline(tolerance, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
                 axes.annotate(
                     f" {tolerance:g} {unit}",
@@ -218,9 +263,11 @@ def draw_histogram(
                     va="top",
                     fontsize=8,
                 )
-        axes.set(xlim=(0, end), xlabel=f"mean |z₁ − z₂| of each triangle ({unit}{last})")
+        last = f"; {100 * beyond:.2g} % of the area lie beyond" if beyond > 0 else ""
+        axes.set(xlim=(0, scale.end), xlabel=f"mean |z₁ − z₂| of each triangle ({unit}{last})")
         axes.set_ylabel("share of the area")
-        axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0, symbol="\u2009%"))
+        axes.yaxis.set_major_locator(MaxNLocator(4))
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda part, _: f"{100 * part:g}\u2009%"))
         axes.spines[["top", "right"]].set_visible(False)
 
 
@@ -254,19 +301,27 @@ def any_script() -> Iterator[None]:
         yield
 
 
-def _paint(axes: "Axes", comparison: Comparison, values: NDArray[np.float64], **scale: Any) -> Any:
+def _paint(
+    axes: "Axes",
+    comparison: Comparison,
+    values: NDArray[np.float64],
+    cmap: "Colormap",
+    span: tuple[float, float],
+) -> None:
     """Paint each triangle in one colour, without the seams of antialiased polygons."""
     from matplotlib.tri import Triangulation
 
     triangles = comparison.united.triangles
     corners = comparison.united.nodes[triangles].reshape(-1, 2)
     numbers = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
-    return axes.tripcolor(
+    axes.tripcolor(
         Triangulation(corners[:, 0], corners[:, 1], numbers),
         np.ma.masked_invalid(np.repeat(values, 3)),
         shading="gouraud",
         rasterized=True,
-        **scale,
+        cmap=cmap,
+        vmin=span[0],
+        vmax=span[1],
     )
 
 

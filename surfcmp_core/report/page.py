@@ -1,8 +1,10 @@
 """The .html result: one file with pictures, numbers and where they come from."""
 
 import base64
+from collections.abc import Sequence
 from html import escape
 from io import BytesIO
+from itertools import zip_longest
 from typing import TYPE_CHECKING, BinaryIO
 
 from surfcmp_core.comparison import Comparison
@@ -14,25 +16,40 @@ from surfcmp_core.report.page_style import STYLE
 from surfcmp_core.report.provenance import (
     DISCLAIMER,
     Rows,
+    alignment_rows,
     base_name,
     count_rows,
     input_rows,
     key_figures,
     option_rows,
+    region_table,
     transform_text,
     versions,
 )
+from surfcmp_core.report.scale import scale_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+View = tuple[str, bytes]
+"""A caption, and the bytes of a .png file."""
 
-def write_html(comparison: Comparison, document: Document, stream: BinaryIO) -> None:
-    """Write the .html result; it needs no other file and no network."""
+
+def write_html(
+    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[View] = ()
+) -> None:
+    """Write the .html result; it needs no other file and no network.
+
+    `views` are pictures to stand beside those drawn here: a caption, and a .png file's bytes.
+    """
     unit = document["options"]["unit"]
     first, second = (escape(base_name(one["file"])) for one in document["inputs"])
     program = document["program"]
-    signed = heatmap(comparison, document, signed=True, titled=False)
+    absolute, signed = (
+        _picture(heatmap(comparison, document, signed=kind, titled=False), *text)
+        for kind, text in MAPS.items()
+    )
+    maps = [signed, absolute] if scale_of(comparison, document).signed else [absolute, signed]
     parts = [
         f"<header><p>Comparison of two surfaces · {escape(document['created'])}</p>",
         f"<h1>{first} <span>−</span> {second}</h1>",
@@ -41,14 +58,7 @@ def write_html(comparison: Comparison, document: Document, stream: BinaryIO) -> 
         _key(document),
         _warnings(document["warnings"]),
         '<section><h2>Where they differ</h2><div class="pair">',
-        _picture(
-            heatmap(comparison, document, titled=False),
-            "Absolute difference",
-            "How far apart: mean |z₁ − z₂| of each triangle. Grey was not compared.",
-        ),
-        _picture(
-            signed, "Signed difference", "Which lies above: red where 1 is above 2, blue below."
-        ),
+        *maps,
         "</div>",
         _picture(
             histogram(comparison, document),
@@ -56,16 +66,19 @@ def write_html(comparison: Comparison, document: Document, stream: BinaryIO) -> 
             "Share of the compared area by difference; dashed lines are the tolerances.",
         ),
         "</section>",
+        _views(views),
+        _regions(document),
         _measures(document, unit),
+        "<section><h2>Alignment</h2>",
+        _table(alignment_rows(document)),
+        f"<p>Surface 2 moved by</p><pre>{escape(transform_text(document))}</pre></section>",
         "<section><h2>What was compared</h2>",
         *(_table(rows) for rows in _numbered(input_rows(document))),
         "</section><section><h2>Counts</h2>",
         _table(count_rows(document)),
         "</section><section><h2>Options as used</h2>",
         _table(option_rows(document)),
-        "</section><section><h2>Transform</h2>",
-        f"<pre>{escape(transform_text(document))}</pre></section>",
-        f"<footer><p><strong>{DISCLAIMER}</strong></p><p>{escape(program['name'])}"
+        f"</section><footer><p><strong>{DISCLAIMER}</strong></p><p>{escape(program['name'])}"
         f" {escape(program['version'])} · {escape(versions())} · {escape(document['created'])}"
         f" · computed in {document['seconds']['total']:.2f} s</p></footer>",
     ]
@@ -76,6 +89,16 @@ def write_html(comparison: Comparison, document: Document, stream: BinaryIO) -> 
         f"<title>{first} − {second}</title>\n<style>{STYLE}</style>\n</head>\n"
         f"<body>\n<main>\n{body}\n</main>\n</body>\n</html>\n".encode()
     )
+
+
+MAPS = {
+    False: (
+        "Absolute difference",
+        "How far apart: mean |z₁ − z₂| of each triangle. Grey was not compared.",
+    ),
+    True: ("Signed difference", "Which lies above: red where 1 is above 2, blue below."),
+}
+"""Name and caption of the map without and with the sign."""
 
 
 def _key(document: Document) -> str:
@@ -96,10 +119,39 @@ def _warnings(warnings: list[str]) -> str:
 def _picture(figure: "Figure", name: str, caption: str) -> str:
     png = BytesIO()
     save(figure, png, "png")
-    data = base64.b64encode(png.getvalue()).decode("ascii")
+    return _figure(png.getvalue(), name, f"<b>{escape(name)}.</b> {escape(caption)}")
+
+
+def _figure(png: bytes, name: str, caption: str) -> str:
+    data = base64.b64encode(png).decode("ascii")
     return (
         f'<figure><img alt="{escape(name)}" src="data:image/png;base64,{data}">'
-        f"<figcaption><b>{escape(name)}.</b> {escape(caption)}</figcaption></figure>"
+        f"<figcaption>{caption}</figcaption></figure>"
+    )
+
+
+def _views(views: Sequence[View]) -> str:
+    if not views:
+        return ""
+    figures = "".join(_figure(png, name, f"<b>{escape(name)}</b>") for name, png in views)
+    return f'<section><h2>The views</h2><div class="pair">{figures}</div></section>'
+
+
+def _regions(document: Document) -> str:
+    table = region_table(document)
+    if not table:
+        return ""
+    head = "".join(f'<th scope="col">{escape(text)}</th>' for text in table[0])
+    colours = [part["colour"] for part in document["regions"]]
+    rows = []
+    for row, colour in zip_longest(table[1:], colours):
+        dot = f'<i style="background:rgb({",".join(map(str, colour))})"></i>' if colour else ""
+        cells = "".join(f'<td class="number">{escape(text)}</td>' for text in row[1:])
+        rows.append(f'<tr><th scope="row">{dot}{escape(row[0])}</th>{cells}</tr>')
+    return (
+        "<section><h2>Regions</h2><p>µ weighs a region in ρ_V with the weight µ; areas of all"
+        " parts add up to the whole.</p>"
+        f'<table class="regions"><tr>{head}</tr>{"".join(rows)}</table></section>'
     )
 
 

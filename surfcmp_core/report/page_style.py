@@ -40,6 +40,15 @@ th { font-weight: 400; color: var(--quiet); white-space: nowrap; width: 1%; padd
 .measures th { color: var(--ink); }
 th[scope=rowgroup] { font-weight: 650; padding-top: 1.3rem; white-space: normal; }
 th[scope=rowgroup] small { font-weight: 400; color: var(--quiet); font-size: .88rem; }
+.regions { display: block; overflow-x: auto; }
+.regions tr > * { padding-right: 1.4rem; }
+.regions th[scope=row] { color: var(--ink); }
+.regions th[scope=col], .regions td.number { text-align: right; }
+.regions th[scope=col]:first-child { text-align: left; }
+.regions tr:last-child > * { font-weight: 650; border-bottom: 0; }
+.regions i { display: inline-block; width: .7em; height: .7em; border-radius: 50%;
+  margin-right: .5em; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+section > p { color: var(--quiet); font-size: .93rem; margin: .6rem 0; }
 td { overflow-wrap: anywhere; }
 td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; width: 1%;
   padding-right: .4rem; }

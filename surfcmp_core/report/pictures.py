@@ -1,11 +1,13 @@
 """The results made to be looked at and printed: .png and .pdf."""
 
+from collections.abc import Sequence
+from io import BytesIO
 from typing import BinaryIO
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.figures import (
-    MAP_MARGINS,
+    LYING,
     QUIET,
     any_script,
     draw_histogram,
@@ -17,34 +19,52 @@ from surfcmp_core.report.figures import (
 )
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
+from surfcmp_core.report.page import MAPS, View
 from surfcmp_core.report.paper import BOTTOM, HEIGHT, LEFT, WIDTH, Paper, write
 from surfcmp_core.report.provenance import (
     DISCLAIMER,
+    alignment_rows,
     count_rows,
     input_rows,
     key_figures,
     option_rows,
+    region_table,
     transform_text,
     versions,
 )
+from surfcmp_core.report.scale import scale_of
+
+GAP = 0.7
+"""Inches between two maps, for the labels of the right one."""
+HISTOGRAM = 1.5
+LEAST_MAP = 2.2
 
 
 def write_png(comparison: Comparison, document: Document, stream: BinaryIO) -> None:
     """Write the .png result: the heatmap with its scale, files and main numbers."""
-    save(heatmap(comparison, document), stream, "png")
+    signed = scale_of(comparison, document).signed
+    save(heatmap(comparison, document, signed=signed), stream, "png")
 
 
-def write_pdf(comparison: Comparison, document: Document, stream: BinaryIO) -> None:
-    """Write the .pdf result: the heatmap, the measures, and where they come from."""
+def write_pdf(
+    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[View] = ()
+) -> None:
+    """Write the .pdf result: the maps, the measures, and where they come from.
+
+    `views` are pictures to stand beside those drawn here: a caption, and a .png file's bytes.
+    """
     from matplotlib.backends.backend_pdf import PdfPages
 
     paper = Paper()
     _summary(paper, document)
-    _map(paper, comparison, document)
-    paper.turn()
-    _measures(paper, document)
+    _maps(paper, comparison, document)
     _histogram(paper, comparison, document)
     paper.turn()
+    if views:
+        _views(paper, views)
+    _regions(paper, document)
+    _measures(paper, document)
+    paper.down += 0.2
     _origin(paper, document)
     with PdfPages(stream, metadata={"Title": title(document), "Creator": "surfcmp"}) as pdf:
         for number, page in enumerate(paper.pages, 1):
@@ -78,15 +98,76 @@ def _summary(paper: Paper, document: Document) -> None:
         paper.down += 0.04
 
 
-def _map(paper: Paper, comparison: Comparison, document: Document) -> None:
-    left, below, right = MAP_MARGINS
-    left -= 0.3  # its labels may reach into the margin
-    paper.need(4.0)
-    paper.down += 0.3
-    room = WIDTH - 2 * LEFT - left - right, HEIGHT - paper.down - below - BOTTOM
-    width, height = map_size(comparison, *room)
-    place = LEFT + left, HEIGHT - paper.down - height, width, height
-    draw_map(paper.pages[-1], comparison, document, place, signed=False)
+def _maps(paper: Paper, comparison: Comparison, document: Document) -> None:
+    """Draw both maps beside each other, as large as leaves room for the histogram."""
+    inset = 0.35  # the left map's labels may reach into the margin
+    room = (WIDTH - 2 * LEFT - inset - GAP) / 2
+    paper.need(LEAST_MAP + LYING + 0.6)
+    paper.down += 0.25
+    kinds = sorted(MAPS, reverse=scale_of(comparison, document).signed)
+    for place, signed in enumerate(kinds):
+        paper.write(inset + place * (room + GAP), MAPS[signed][0], fontsize=9, fontweight="bold")
+    paper.down += 0.21
+    below = LYING + 0.35
+    most = HEIGHT - BOTTOM - paper.down - below - HISTOGRAM - 0.75
+    width, height = map_size(comparison, room, max(most, LEAST_MAP))
+    paper.down += height
+    for place, signed in enumerate(kinds):
+        left = LEFT + inset + place * (room + GAP)
+        axes = left, HEIGHT - paper.down, width, height
+        draw_map(paper.pages[-1], comparison, document, axes, signed=signed, lying=True)
+    paper.down += below
+
+
+def _views(paper: Paper, views: Sequence[View]) -> None:
+    """Set pictures in two columns."""
+    from matplotlib.image import imread
+
+    room = (WIDTH - 2 * LEFT - 0.2) / 2
+    paper.heading("The views")
+    for k in range(0, len(views), 2):
+        row = [(name, imread(BytesIO(png))) for name, png in views[k : k + 2]]
+        heights = [room * picture.shape[0] / picture.shape[1] for _, picture in row]
+        paper.need(max(heights) + 0.4)
+        for place, ((name, picture), height) in enumerate(zip(row, heights, strict=True)):
+            left = place * (room + 0.2)
+            paper.write(left, name, fontweight="bold")
+            box = LEFT + left, HEIGHT - paper.down - 0.08 - height, room, height
+            axes = paper.pages[-1].add_axes(
+                (box[0] / WIDTH, box[1] / HEIGHT, box[2] / WIDTH, box[3] / HEIGHT)
+            )
+            axes.imshow(picture, aspect="auto", interpolation="none")
+            axes.set(xticks=[], yticks=[])
+            for spine in axes.spines.values():
+                spine.set(edgecolor="#b6bbc4", linewidth=0.6)
+        paper.down += max(heights) + 0.4
+    paper.down += 0.1
+
+
+def _regions(paper: Paper, document: Document) -> None:
+    table = region_table(document)
+    if not table:
+        return
+    paper.need(0.26 + 0.2 * min(len(table), 6) + 0.4)
+    paper.heading("Regions")
+    paper.paragraph(
+        "µ weighs a region in ρ_V with the weight µ; areas of all parts add up to the whole.",
+        color=QUIET,
+    )
+    paper.down += 0.06
+    width = (WIDTH - 2 * LEFT - 1.75) / (len(table[0]) - 2)
+    for k, row in enumerate(table):
+        paper.need(0.0)
+        style = {"color": QUIET, "fontsize": 7} if k == 0 else {}
+        style |= {"fontweight": "bold"} if k == len(table) - 1 else {}
+        if 0 < k <= len(document["regions"]) and (colour := document["regions"][k - 1]["colour"]):
+            paper.write(-0.15, "■", color=[part / 255 for part in colour], fontsize=7)
+        paper.write(0.0, row[0] if len(row[0]) < 24 else f"{row[0][:22]}…", **style)
+        paper.write(1.7, row[1], ha="right", **style)
+        for place, text in enumerate(row[2:], 1):
+            paper.write(1.75 + place * width, text, ha="right", **style)
+        paper.down += 0.2
+    paper.down += 0.18
 
 
 def _measures(paper: Paper, document: Document) -> None:
@@ -112,22 +193,26 @@ def _measures(paper: Paper, document: Document) -> None:
 
 
 def _histogram(paper: Paper, comparison: Comparison, document: Document) -> None:
-    height = 1.5
-    paper.need(0.3 + height + 0.6)
-    paper.down += 0.3 + height
-    place = LEFT + 0.4, HEIGHT - paper.down, WIDTH - 2 * LEFT - 0.4, height
+    paper.need(HISTOGRAM + 0.75)
+    paper.down += 0.25 + HISTOGRAM
+    place = LEFT + 0.4, HEIGHT - paper.down, WIDTH - 2 * LEFT - 0.4, HISTOGRAM
     draw_histogram(paper.pages[-1], comparison, document, place)
+    paper.down += 0.65
 
 
 def _origin(paper: Paper, document: Document) -> None:
     for number, rows in enumerate(input_rows(document), 1):
         paper.heading(f"Surface {number}")
         paper.table(rows)
+    paper.heading("Alignment")
+    paper.table(alignment_rows(document))
+    paper.down -= 0.18
+    paper.write(0.0, "surface 2 moved by", color=QUIET)
+    for line in transform_text(document).splitlines():
+        paper.write(1.75, line, family="monospace", fontsize=7)
+        paper.down += 0.15
+    paper.down += 0.18
     paper.heading("Counts")
     paper.table(count_rows(document))
     paper.heading("Options as used")
     paper.table(option_rows(document))
-    paper.heading("Transform")
-    for line in transform_text(document).splitlines():
-        paper.write(0.0, line, family="monospace", fontsize=7)
-        paper.down += 0.15

@@ -71,9 +71,58 @@ def option_rows(document: Document) -> Rows:
         options["max_edge"] = "derived from the node spacing"
     elif options["max_edge"] is None:
         options["max_edge"] = "no limit"
-    rows = [(key, _plain(value)) for key, value in options.items()]
+    rows = [(key, _plain(value)) for key, value in options.items() if key != "align"]
     used = ", ".join(f"{limit} (surface {number})" for number, limit in enumerate(limits, 1))
     return [*rows, ("max_edge used", used)]
+
+
+def alignment_rows(document: Document) -> Rows:
+    """Return how surface 2 was moved onto surface 1, and how well that went."""
+    unit, found = document["options"]["unit"], document["options"].get("align", "none")
+    if not isinstance(found, dict):
+        return [("method", _plain(found))]
+    rows = []
+    for key, value in found.items():
+        if key == "residual" and value is not None:
+            rows.append((key, f"{' '.join(with_unit(value, 1, unit))}, root mean square"))
+        elif key != "matrix" and value:
+            rows.append((key, _plain(value)))
+    return rows
+
+
+REGION_COLUMNS = (
+    ("area_compared", "area", 2),
+    ("mean_abs", "mean |d|", 1),
+    ("mean_signed", "mean d", 1),
+    ("rms", "RMS", 1),
+    ("p95", "P95", 1),
+)
+
+
+def region_table(document: Document) -> list[list[str]]:
+    """Return a row of heads, one for each region, for the rest, and for the whole; or nothing.
+
+    Columns: name, µ, and those of `REGION_COLUMNS`, and the share within the last tolerance.
+    """
+    regions = document.get("regions")
+    if not regions:
+        return []
+    unit = document["options"]["unit"]
+    within = list(document["measures"]["within_tolerance"])[-1:]
+    heads = [f"{title} ({with_unit(1.0, power, unit)[1]})" for _, title, power in REGION_COLUMNS]
+    table = [["region", "µ", *heads, *(f"≤ {tolerance} {unit}" for tolerance in within)]]
+    parts = [
+        (part["name"] or "the rest", f"{part['weight']:g}", part["measures"]) for part in regions
+    ]
+    for name, weight, measures in [*parts, ("the whole", "", document["measures"])]:
+        row = [name, weight]
+        for key, _title, power in REGION_COLUMNS:
+            row.append(with_unit(measures[key] if measures else None, power, unit)[0])
+        for tolerance in within:
+            share = measures["within_tolerance"][tolerance] if measures else None
+            row.append(" ".join(with_unit(share, None, unit)).strip())
+        table.append(row)
+    return table
 
 
 def transform_text(document: Document) -> str:
@@ -100,8 +149,6 @@ def _plain(value: Any) -> str:
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:.6g}"
-    if isinstance(value, dict):  # how it was aligned; its matrix stands as the transform
-        return ", ".join(f"{name}: {_plain(v)}" for name, v in value.items() if name != "matrix")
     if isinstance(value, list):
         return ", ".join(_plain(one) for one in value)
     return str(value)

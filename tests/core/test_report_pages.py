@@ -1,26 +1,45 @@
 """The results made for people: complete, self-contained, honest."""
 
+import contextlib
+import json
+import re
+import zlib
 from dataclasses import replace
 from html.parser import HTMLParser
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report import WRITERS, make_document
-from surfcmp_core.report.figures import scale_end, short_name
+from surfcmp_core.report.document import region_document
+from surfcmp_core.report.figures import short_name
+from surfcmp_core.report.hidden import without_names
 from surfcmp_core.report.meanings import MEANINGS, REASONS
 from surfcmp_core.report.numbers import figure, thousands, with_unit
-from surfcmp_core.report.provenance import DISCLAIMER, transform_text
+from surfcmp_core.report.page import write_html
+from surfcmp_core.report.pictures import write_pdf
+from surfcmp_core.report.provenance import DISCLAIMER, region_table, transform_text
+from surfcmp_core.report.scale import (
+    WITHIN,
+    Scale,
+    band_colours,
+    bands_of,
+    scale_end,
+    scale_of,
+)
 
 from .two_squares import two_squares
 
+PICTURES = (".html", ".pdf", ".png")
 
-def written(ending: str, comparison: Comparison) -> bytes:
+
+def written(ending: str, comparison: Comparison, document: dict[str, Any] | None = None) -> bytes:
     stream = BytesIO()
-    WRITERS[ending](comparison, make_document(comparison), stream)
+    WRITERS[ending](comparison, document or make_document(comparison), stream)
     return stream.getvalue()
 
 
@@ -49,9 +68,9 @@ class Page(HTMLParser):
         self.text += data
 
 
-def page_of(comparison: Comparison) -> Page:
+def page_of(comparison: Comparison, document: dict[str, Any] | None = None) -> Page:
     page = Page()
-    page.feed(written(".html", comparison).decode())
+    page.feed(written(".html", comparison, document).decode())
     assert page.open == []
     return page
 
@@ -114,7 +133,7 @@ def test_the_map_shows_values_and_what_was_not_compared() -> None:
     picture = imread(BytesIO(written(".png", two_squares())))[..., :3]
     assert picture.shape[0] > 600
     pixels = (picture * 255).round().astype(int)
-    for colour in ((0xB4, 0xB8, 0xBF), (255, 255, 255)):  # not compared, the page
+    for colour in ((0xA8, 0xAD, 0xB6), (255, 255, 255)):  # not compared, the page
         assert (pixels == colour).all(axis=-1).mean() > 0.05
 
 
@@ -125,12 +144,112 @@ def test_the_scale_ends_at_a_round_number_over_nearly_all_of_the_area() -> None:
         (0.0, 1.0),
         (np.nan, 1.0),
         (0.93, 1.0),
-        (1.2, 1.5),
+        (1.2, 2.0),
         (2e-7, 2e-7),
-        (71.0, 80),
+        (71.0, 100),
     ):
         values = np.where(comparison.compared, value, np.nan)
         assert scale_end(replace(comparison, mean_abs=values)) == end
+
+
+def test_the_scale_is_the_one_asked_for() -> None:
+    comparison = two_squares()
+    document = make_document(comparison)
+    assert scale_of(comparison, document) == Scale(1.0)
+    document["scale"] = {"end": 0.3, "bands": [0.1, 0.2], "signed": True}
+    assert scale_of(comparison, document) == Scale(0.3, (0.1, 0.2), True)
+    plain = {ending: written(ending, comparison) for ending in PICTURES}
+    for ending, before in plain.items():
+        assert written(ending, comparison, document) != before
+    page = page_of(comparison, document)
+    assert page.text.index("Signed difference") < page.text.index("Absolute difference")
+
+
+def test_a_limit_belongs_to_the_band_nearer_zero() -> None:
+    scale = Scale(9.0, (0.5, 1.0))
+    values = np.array([-2, -1, -0.7, -0.5, -0.1, 0, 0.1, 0.5, 0.7, 1, 2, np.nan])
+    assert np.array_equal(
+        bands_of(values, scale, True), [0, 1, 1, 2, 2, 2, 2, 2, 3, 3, 4, np.nan], equal_nan=True
+    )
+    assert np.array_equal(
+        bands_of(np.abs(values), scale, False), [2, 1, 1, 0, 0, 0, 0, 0, 1, 1, 2, np.nan], True
+    )
+    for signed, count in ((True, 5), (False, 3)):
+        colours = band_colours(scale, signed)
+        assert len({tuple(colour) for colour in colours.tolist()}) == count
+        assert tuple(colours[bands_of(np.zeros(1), scale, signed).astype(int)][0]) == WITHIN
+
+
+def with_regions() -> tuple[Comparison, dict[str, Any]]:
+    comparison = two_squares()
+    document = make_document(comparison)
+    measures = comparison.measures
+    document["regions"] = [
+        region_document("nose & <chin>", (1, 2, 3), 2.5, 3, measures),
+        region_document(None, None, 1.0, 0, None),
+    ]
+    return comparison, document
+
+
+def test_the_regions_stand_in_the_reports() -> None:
+    comparison, document = with_regions()
+    heads, nose, rest, whole = region_table(document)
+    assert heads[:3] == ["region", "µ", "area (mm²)"]
+    assert nose[:2] == ["nose & <chin>", "2.5"]
+    assert set(rest[2:]) == {"–"}
+    assert nose[2:] == whole[2:]
+    page = page_of(comparison, document)
+    for words in ("Regions", "nose & <chin>", "the rest", "the whole"):
+        assert words in page.text
+    assert "Regions" not in page_of(comparison).text
+    text = text_of(written(".pdf", comparison, document))
+    assert b"Regions" in text
+    assert json.loads(written(".json", comparison, document))["regions"][0]["weight"] == 2.5
+
+
+def test_pictures_of_views_stand_in_the_reports() -> None:
+    comparison = two_squares()
+    views = [("One & <two>", written(".png", comparison))] * 3
+    stream = BytesIO()
+    write_html(comparison, make_document(comparison), stream, views)
+    page = Page()
+    page.feed(stream.getvalue().decode())
+    assert page.tags.count("img") == 3 + 3
+    assert "One & <two>" in page.text
+    stream = BytesIO()
+    write_pdf(comparison, make_document(comparison), stream, views)
+    assert b"The views" in text_of(stream.getvalue())
+
+
+def text_of(pdf: bytes) -> bytes:
+    """Return what a .pdf file holds, uncompressed."""
+    parts = re.findall(rb"stream\r?\n(.*?)endstream", pdf, re.DOTALL)
+    plain = [pdf]
+    for part in parts:
+        with contextlib.suppress(zlib.error):
+            plain.append(zlib.decompress(part))
+    return re.sub(rb"\)\s*-?[\d.]*\s*\(", b"", b"".join(plain))
+
+
+@pytest.mark.parametrize("ending", list(WRITERS))
+def test_names_and_paths_can_be_hidden(ending: str) -> None:
+    comparison = two_squares()
+    surfaces = [
+        replace(surface, name=f"{name}.ply", path=Path(f"/patients/{name}.ply"))
+        for surface, name in zip(comparison.surfaces, ("Anna", "Berta"), strict=True)
+    ]
+    warnings = ("units of Anna.ply are not stated", "/patients/Berta.ply: odd")
+    comparison = replace(comparison, surfaces=(surfaces[0], surfaces[1]), warnings=warnings)
+    align = {"method": "file", "file": "/patients/Clara.npy", "matrix": []}
+    document = make_document(comparison, {"weight": "/patients/Dora.npz", "align": align})
+    names = (b"Anna", b"Berta", b"Clara", b"Dora", b"patients")
+    if ending in {".html", ".pdf", ".json"}:
+        plain = text_of(written(ending, comparison, document))
+        assert all(name in plain for name in names)
+    hidden = text_of(written(ending, *without_names(comparison, document)))
+    assert not any(name in hidden for name in names)
+    if ending in {".html", ".pdf", ".json"}:
+        assert b"1" * 64 in hidden
 
 
 def test_equal_surfaces_make_pictures_too() -> None:
@@ -192,20 +311,35 @@ def test_paper_takes_as_many_sheets_as_it_needs() -> None:
     assert written(".pdf", comparison).count(b"/Type /Page ") == 5
 
 
-def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else() -> None:
+@pytest.mark.parametrize("banded", [True, False])
+def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else(banded: bool) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     from surfcmp_core.report.paper import Paper
-    from surfcmp_core.report.pictures import _histogram, _measures, _origin
+    from surfcmp_core.report.pictures import (
+        _histogram,
+        _maps,
+        _measures,
+        _origin,
+        _regions,
+        _summary,
+    )
 
     comparison = two_squares()
     exact = replace(comparison.measures, exact=comparison.measures)
-    comparison = replace(comparison, measures=exact)
-    document = make_document(comparison, {"align": {"method": "icp", "matrix": [[1.0]]}})
+    moved = np.eye(4)
+    moved[0, 3] = 1 / 3
+    comparison = replace(comparison, measures=exact, transform=moved)
+    align = {"method": "icp", "residual": 0.25, "inliers": 7, "matrix": [[1.0]]}
+    document = make_document(comparison, {"align": align})
+    document["regions"] = with_regions()[1]["regions"]
+    document["scale"] = {"end": 0.3, "bands": [0.1, 0.2] if banded else [], "signed": True}
     paper = Paper()
-    _measures(paper, document)
+    _summary(paper, document)
+    _maps(paper, comparison, document)
     _histogram(paper, comparison, document)
-    paper.turn()
+    _regions(paper, document)
+    _measures(paper, document)
     _origin(paper, document)
     for page in paper.pages:
         FigureCanvasAgg(page)
@@ -218,4 +352,4 @@ def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else() -> Non
             for other in boxes[:number]:
                 x = min(box.x1, other.x1) - max(box.x0, other.x0)
                 y = min(box.y1, other.y1) - max(box.y0, other.y0)
-                assert min(x, y) < 1.0, "two things overlap"
+                assert min(x, y) < 1.0, f"two things overlap on a sheet: {box}, {other}"

@@ -5,7 +5,9 @@ import json
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
@@ -16,7 +18,11 @@ from app.model.tool import Tool
 from app.model.view_state import Heatmap, Scale
 from app.panels.help import HelpDialog
 from app.panels.palette import CommandPalette
+from app.scene import colour_maps
+from app.scene.distribution import fitting_limit
+from app.scene.palette import LIGHT
 from app.window import MainWindow
+from surfcmp_core.report import scale
 from tests.window.conftest import PATIENCE
 from tests.window.test_window import drop
 
@@ -186,6 +192,55 @@ def test_what_is_shown_is_exported(sample: MainWindow, ending: str, tmp_path: Pa
     assert sample.banner.isVisible()
 
 
+def test_exports_have_the_scale_and_regions_of_the_window(
+    sample: MainWindow, tmp_path: Path, qtbot: QtBot
+):
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.regions_of.draw(Tool.LASSO, ((20.0, -50.0), (70.0, -50.0), (40.0, 0.0)))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.regions.weighed.emit(0, 2.0)
+    tolerances = sample.display.state.scale.tolerances
+    sample.scale.changed.emit(Scale(1.5, tolerances, banded=True, pinned=True))
+    data = {}
+    for ending in (".json", ".html", ".pdf"):
+        path = tmp_path / f"out{ending}"
+        with qtbot.waitSignal(sample.exporting.runner.finished, timeout=PATIENCE):
+            sample.exporting.write(path)
+        data[ending] = path.read_bytes()
+    record = json.loads(data[".json"])
+    assert record["scale"] == {"end": 1.5, "bands": [0.5, 1.0, 2.0], "signed": True}
+    shown = sample.session.shown
+    drawn, rest = record["regions"]
+    assert (drawn["name"], drawn["weight"], rest["name"]) == ("Region 1", 2.0, None)
+    assert drawn["measures"]["p95"] == shown.regions[0].measures.p95
+    parts = drawn["measures"]["rho_V"], rest["measures"]["rho_V"]
+    assert sum(parts) == pytest.approx(record["measures"]["rho_V"], rel=1e-12)
+    weighted = record["measures"]["rho_V_mu"]
+    assert weighted == shown.content.comparison.measures.rho_V_mu
+    assert weighted == pytest.approx(2 * parts[0] + parts[1], rel=1e-12)
+    assert b"Region 1" in data[".html"]
+    assert data[".pdf"].count(b"/Subtype /Image") >= 2 + 4  # the maps, and the views
+
+
+def test_reports_colour_as_the_window_does(sample: MainWindow):
+    comparison = sample.session.shown.comparison
+    end = fitting_limit(sample.session.shown.content.distributions.absolute)
+    assert scale.scale_end(comparison) == end
+    values = np.random.default_rng(2).uniform(-3, 3, 999)
+    values[:7] = (0.5, -0.5, 1.0, -1.0, 2.0, -2.0, 0.0)
+    window_scale, report_scale = Scale(2.5), scale.Scale(2.5, (0.5, 1.0, 2.0))
+    for signed, kind in ((True, Heatmap.SIGNED), (False, Heatmap.ABSOLUTE)):
+        found = values if signed else np.abs(values)
+        bands = scale.bands_of(found, report_scale, signed).astype(int)
+        colours = scale.band_colours(report_scale, signed)[bands]
+        assert (colours == colour_maps.banded(found, window_scale, signed, (0, 0, 0))).all()
+        table = scale.colour_table(signed)
+        assert (table == colour_maps.map_of(kind)).all()
+    assert to_rgb(scale.ABOVE) == pytest.approx(np.array(colour_maps.ABOVE) / 255)
+    assert to_rgb(scale.BELOW) == pytest.approx(np.array(colour_maps.BELOW) / 255)
+    assert to_rgb(scale.NOT_COMPARED) == pytest.approx(np.array(LIGHT.no_data) / 255)
+
+
 def test_names_and_paths_can_be_hidden(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
@@ -203,6 +258,11 @@ def test_names_and_paths_can_be_hidden(
     sha = window.session.shown.comparison.surfaces[0].sha256
     assert sha
     assert sha in page
+    title = window.grid.frames[0].title
+    hidden = window.exporting.picture_of_views(1).toImage()
+    assert title._fact.text() == files[0].name  # on the screen it still stands
+    window.actions_of.hide.trigger()
+    assert window.exporting.picture_of_views(1).toImage() != hidden
 
 
 def test_an_input_is_not_overwritten(
