@@ -100,8 +100,11 @@ class Actions(QObject):
         for tool, keys in tools:
             self._add(self.view_menu, names_of[tool], partial(window.display.use, tool), keys)
         self.view_menu.addSeparator()
+        panels = self.view_menu.addMenu(self.tr("Panels"))
         for dock in window.docks:
-            self.view_menu.addAction(dock.toggleViewAction())
+            panels.addAction(dock.toggleViewAction())
+        panels.addSeparator()
+        self._add(panels, self.tr("Panels as at first"), window.arrange_as_at_first)
         about = bar.addMenu(self.tr("&Help"))
         self._add(about, self.tr("&Guide"), self.show_guide, "F1")
         self._add(about, self.tr("&Keys and mouse"), self.show_shortcuts, "?")

@@ -140,7 +140,10 @@ def style_sheet(c: Theme) -> str:
     QLineEdit {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 8px; selection-background-color: {c.accent};
         selection-color: {c.on_accent}; }}
-    QWidget#panel, QWidget#dockTitle {{ background: {c.panel}; }}
+    QWidget#panel {{ background: {c.panel}; }}
+    QDockWidget {{ color: {c.text}; }}
+    QDockWidget::title {{ background: {c.panel}; padding: 8px 12px; text-align: left;
+        border-bottom: 1px solid {c.line}; }}
     QPushButton::menu-indicator {{ image: none; width: 0; }}
     QTabBar {{ qproperty-drawBase: 0; }}
     QTabBar::tab {{ background: {c.window}; color: {c.quiet}; padding: 6px 14px;

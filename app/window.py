@@ -10,10 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QApplication,
-    QDockWidget,
     QLabel,
     QMainWindow,
-    QScrollArea,
     QStackedWidget,
     QTabWidget,
     QVBoxLayout,
@@ -26,6 +24,7 @@ from app.controllers.display import Display
 from app.panels.alignment import AlignmentPanel
 from app.panels.banner import Banner
 from app.panels.chains import ChainsPanel
+from app.panels.dock import Dock, Docks
 from app.panels.empty import EmptyState
 from app.panels.measures import MeasuresPanel
 from app.panels.options import OptionsPanel
@@ -93,22 +92,23 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.toolbar)
         self.measures = MeasuresPanel()
         self.scale = ScalePanel()
-        self.docks: list[QDockWidget] = []
-        self.add_dock("measures", self.tr("Measures"), self.measures)
+        self._docks = Docks(self)
+        self.docks = self._docks.all
+        self._docks.add("measures", self.tr("Measures"), self.measures)
         self.regions = RegionsPanel()
-        self.add_dock("regions", self.tr("Regions"), self.regions)
+        self._docks.add("regions", self.tr("Regions"), self.regions)
         self.chains = ChainsPanel()
-        self.add_dock("chains", self.tr("Chains"), self.chains)
+        self._docks.add("chains", self.tr("Chains"), self.chains)
         self.probes = ProbesPanel()
-        self.add_dock("probes", self.tr("Places"), self.probes)
+        self._docks.add("probes", self.tr("Places"), self.probes)
         upper = self.docks[:]
         self.section = SectionPanel()
         self.alignment = AlignmentPanel()
         self.options = OptionsPanel()
-        self.add_dock("scale", self.tr("Scale"), self.scale)
-        self.add_dock("section", self.tr("Section"), self.section)
-        self.add_dock("alignment", self.tr("Alignment"), self.alignment)
-        self.add_dock("options", self.tr("Options"), self.options)
+        self._docks.add("scale", self.tr("Scale"), self.scale)
+        self._docks.add("section", self.tr("Section"), self.section)
+        self._docks.add("alignment", self.tr("Alignment"), self.alignment)
+        self._docks.add("options", self.tr("Options"), self.options)
         self._arrange(upper, self.docks[len(upper) :])
         self.status = QLabel()
         self.status.setContentsMargins(UNIT, 0, 0, 0)
@@ -116,6 +116,7 @@ class MainWindow(QMainWindow):
         self.statusBar().addWidget(self.status, 1)
         self.statusBar().addPermanentWidget(self.progress)
         self.statusBar().setSizeGripEnabled(False)
+        self._first_arrangement = self.saveState()
         self.display = Display(self.grid)
         self.actions_of = Actions(self)
         self.display.change(dark=settings.dark_wanted())
@@ -147,28 +148,12 @@ class MainWindow(QMainWindow):
         self.session.compared.connect(collect_garbage)
         self.session.failed.connect(collect_garbage)
 
-    def add_dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
-        """Dock a panel at the right."""
-        dock = QDockWidget(title, self)
-        dock.setObjectName(name)
-        scroll = QScrollArea()  # a small screen must not be too small for any panel
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setMinimumSize(40 * UNIT, 14 * UNIT)
-        scroll.setWidget(panel)
-        dock.setWidget(scroll)
-        dock.setTitleBarWidget(QWidget())  # its name stands on its tab
-        dock.setFeatures(
-            QDockWidget.DockWidgetFeature.DockWidgetMovable
-            | QDockWidget.DockWidgetFeature.DockWidgetFloatable
-            | QDockWidget.DockWidgetFeature.DockWidgetClosable
-        )
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
-        self.docks.append(dock)
-        return dock
-
-    def _arrange(self, *groups: list[QDockWidget]) -> None:
+    def _arrange(self, *groups: list[Dock]) -> None:
         """Put each group of panels behind one row of tabs; their names stand there."""
+        option = QMainWindow.DockOption
+        self.setDockOptions(
+            option.AllowTabbedDocks | option.AllowNestedDocks | option.GroupedDragging
+        )
         self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
         for group in groups:
             for dock in group[1:]:
@@ -176,6 +161,10 @@ class MainWindow(QMainWindow):
             group[0].raise_()
         heads = [group[0] for group in groups]
         self.resizeDocks(heads, [376] * len(heads), Qt.Orientation.Horizontal)
+
+    def arrange_as_at_first(self) -> None:
+        """Put all panels back where they were at the first start."""
+        self.restoreState(self._first_arrangement)
 
     def dress(self, dark: bool) -> None:
         """Put on the dark or the light theme."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
@@ -364,3 +364,42 @@ def test_every_control_has_a_name(sample: MainWindow):
         and type(widget).__name__ not in {"QToolBarExtension", "QHeaderView", "QToolButton"}
     ]
     assert nameless == []
+
+
+def test_a_panel_is_dragged_out_by_its_tab_and_put_back(window: MainWindow, qtbot: QtBot):
+    tabs = next(
+        bar
+        for bar in window.findChildren(QTabBar)
+        if bar.isVisible() and "Chains" in [bar.tabText(k) for k in range(bar.count())]
+    )
+    chains = next(dock for dock in window.docks if dock.objectName() == "chains")
+    assert chains.titleBarWidget() is not None
+    number = [tabs.tabText(k) for k in range(tabs.count())].index("Chains")
+    start = tabs.tabRect(number).center()
+    qtbot.mousePress(tabs, LEFT, pos=start)
+    for step in range(1, 15):
+        qtbot.mouseMove(tabs, start + QPoint(-20 * step, 15 * step), delay=5)
+    qtbot.mouseRelease(tabs, LEFT, pos=start + QPoint(-300, 220))
+    qtbot.waitUntil(lambda: chains.isFloating() and chains.titleBarWidget() is None)
+    window.arrange_as_at_first()
+    qtbot.waitUntil(lambda: not chains.isFloating() and chains.titleBarWidget() is not None)
+
+
+def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot):
+    scale, chains = (
+        next(dock for dock in window.docks if dock.objectName() == name)
+        for name in ("scale", "chains")
+    )
+    chains.toggleViewAction().trigger()
+    window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, scale)
+    window.close()
+    again = MainWindow()
+    qtbot.addWidget(again)
+    again.show()
+    again.start()
+    docks = {dock.objectName(): dock for dock in again.docks}
+    assert again.dockWidgetArea(docks["scale"]) == Qt.DockWidgetArea.LeftDockWidgetArea
+    assert docks["chains"].isHidden()
+    qtbot.waitUntil(lambda: docks["scale"].titleBarWidget() is None)  # it stands alone there
+    docks["chains"].toggleViewAction().trigger()
+    assert not docks["chains"].isHidden()

@@ -1,10 +1,12 @@
 """What the views do under the mouse, on the map and in relief."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
@@ -142,3 +144,52 @@ def test_a_brush_paints_the_relief(sample: MainWindow, qtbot: QtBot):
     first, *_ = sample.session.shown.regions
     assert first.measures is not None
     assert first.triangles > 20
+
+
+def test_chosen_chains_are_flown_to(sample: MainWindow, qtbot: QtBot):
+    display, start = sample.display, sample.display.camera
+    cameras: list[Camera] = []
+    display.shown.connect(lambda pictures: cameras.append(pictures.wish.camera))
+    display.look_from_above()
+    assert display.camera.back == (0.0, 0.0, 1.0)
+    qtbot.waitUntil(lambda: bool(cameras) and cameras[-1] == display.camera, timeout=PATIENCE)
+    between = [camera for camera in cameras if camera not in {start, display.camera}]
+    assert between
+    assert all(start.back[2] < camera.back[2] < 1.0 for camera in between)
+    qtbot.waitUntil(lambda: display.seen == display.camera, timeout=PATIENCE)
+
+
+def test_the_hand_ends_a_flight(sample: MainWindow, qtbot: QtBot):
+    display = sample.display
+    display.look_from_above()
+    qtbot.wait(80)
+    canvas = sample.grid.frames[0].canvas
+    canvas.panned.emit(0.1, 0.0)
+    here = display.camera
+    qtbot.wait(400)
+    assert display.camera == here
+
+
+def test_where_pictures_come_slowly_the_camera_jumps(sample: MainWindow):
+    sample.display._frame_seconds = 1.0
+    sample.display.look_from_above()
+    assert not sample.display._flying
+    assert sample.display.camera.back == (0.0, 0.0, 1.0)
+
+
+def test_views_are_printed_as_finely_as_asked(sample: MainWindow, tmp_path: Path, qtbot: QtBot):
+    frame = sample.grid.frames[0]
+    qtbot.waitUntil(lambda: frame.canvas.image is not None)
+    sizes, path = [], tmp_path / "views.png"
+    width, height = frame.canvas.pixels()
+    whole = sample.grid.devicePixelRatioF() * sample.grid.width()
+
+    def use() -> None:
+        sizes.append((frame.canvas.image.width(), frame.canvas.image.height()))
+        sample.exporting.write_views(path, 3)
+
+    sample.display.print(3, use)
+    qtbot.waitUntil(lambda: bool(sizes), timeout=PATIENCE)
+    assert sizes == [(3 * width, 3 * height)]
+    assert frame.canvas.image.width() == width
+    assert QImage(str(path)).width() == round(3 * whole)
