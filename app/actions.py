@@ -14,19 +14,20 @@ from app.model.tool import Tool
 from app.panels.help import HelpDialog, HelpPages
 from app.panels.palette import CommandPalette
 from app.scene.scene import VIEWS
+from app.texts import QT_TRANSLATE_NOOP
 
 if TYPE_CHECKING:
     from app.window import MainWindow
 
 KINDS = {
-    ".html": "Report as a page",
-    ".pdf": "Report on paper",
-    ".png": "Map of the difference",
-    ".csv": "Triangles as a table",
-    ".vtp": "Mesh with values for ParaView",
-    ".ply": "Mesh with values",
-    ".npz": "Arrays for NumPy",
-    ".json": "Result as data",
+    ".html": QT_TRANSLATE_NOOP("Actions", "Report as a page"),
+    ".pdf": QT_TRANSLATE_NOOP("Actions", "Report on paper"),
+    ".png": QT_TRANSLATE_NOOP("Actions", "Map of the difference"),
+    ".csv": QT_TRANSLATE_NOOP("Actions", "Triangles as a table"),
+    ".vtp": QT_TRANSLATE_NOOP("Actions", "Mesh with values for ParaView"),
+    ".ply": QT_TRANSLATE_NOOP("Actions", "Mesh with values"),
+    ".npz": QT_TRANSLATE_NOOP("Actions", "Arrays for NumPy"),
+    ".json": QT_TRANSLATE_NOOP("Actions", "Result as data"),
 }
 """What can be exported, by ending."""
 

@@ -10,7 +10,7 @@ from app import settings
 from app.jobs.comparing import Compared
 from app.model.view_state import Heatmap, Scale, ViewState
 from app.numbers import thousands
-from app.panels.toolbar import HEATMAPS
+from app.panels.toolbar import heatmap_name
 from app.scene.chain_table import chain_box
 from app.scene.content import Content
 from app.scene.distribution import fitting_limit
@@ -144,7 +144,7 @@ class Showing(QObject):
             return
         comparison, counts = window.display.content.comparison, window.display.content.counts
         names = [surface.name for surface in comparison.surfaces]
-        heatmap = self.tr(HEATMAPS[state.heatmap])
+        heatmap = heatmap_name(state.heatmap)
         texts = [
             (self.tr("Surface 1"), names[0]),
             (self.tr("Surface 2"), names[1]),

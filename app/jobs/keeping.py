@@ -15,11 +15,15 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import IO, BinaryIO, Literal
 
+from PySide6.QtCore import QCoreApplication
+
 from app.model.document import Document
 from app.model.session_file import Saved, Scan, from_text, to_text
 from app.model.view_state import ViewState
 from surfcmp_core.errors import InputError
 from surfcmp_core.progress import Progress
+
+translate = QCoreApplication.translate
 
 TEXT = "session.json"
 PIECE = 1 << 22
@@ -114,9 +118,15 @@ def open_session(path: Path, scans: Path, located: Located, progress: Progress) 
                     return _open(path, archive, scans, located, progress)
             return _open(path, None, scans, located, progress)
     except OSError as error:
-        raise InputError(f"{path.name}: cannot be read ({error.strerror or error})") from error
+        raise InputError(
+            translate("Sessions", "{}: cannot be read ({})").format(
+                path.name, error.strerror or error
+            )
+        ) from error
     except DAMAGES as error:
-        raise InputError(f"{path.name}: not a session of this program (damaged)") from error
+        raise InputError(
+            translate("Sessions", "{}: the session is damaged").format(path.name)
+        ) from error
 
 
 def _open(
@@ -149,7 +159,9 @@ def _saved(path: Path, archive: zipfile.ZipFile | None) -> Saved:
     try:
         text = data.decode()
     except UnicodeDecodeError as error:
-        raise InputError(f"{path.name}: not a session of this program (no text)") from error
+        raise InputError(
+            translate("Sessions", "{}: not a session of this program").format(path.name)
+        ) from error
     return from_text(text, path.parent.absolute(), path.name)
 
 
@@ -182,9 +194,15 @@ def _write_archive(
                 with scan.open("rb") as source, archive.open(_entry(number), "w") as target:
                     now = _copy(source, target, progress)
             except FileNotFoundError as error:
-                raise InputError(f"{scan.name}: is not there any longer") from error
+                raise InputError(
+                    translate("Sessions", "{}: is not there any longer").format(scan.name)
+                ) from error
             if now != sha:
-                raise InputError(f"{scan.name}: has changed since it was read; open it again")
+                raise InputError(
+                    translate(
+                        "Sessions", "{}: has changed since it was read; open it again"
+                    ).format(scan.name)
+                )
 
 
 def _unpack(
@@ -219,5 +237,9 @@ def _sha256(path: Path, progress: Progress) -> str:
                 progress("keep", 0.0)
                 digest.update(piece)
     except OSError as error:
-        raise InputError(f"{path.name}: cannot be read ({error.strerror or error})") from error
+        raise InputError(
+            translate("Sessions", "{}: cannot be read ({})").format(
+                path.name, error.strerror or error
+            )
+        ) from error
     return digest.hexdigest()

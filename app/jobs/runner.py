@@ -79,14 +79,15 @@ class Runner(QObject):
         except (SurfcmpError, OSError) as error:
             self._told.emit(generation, "failed", str(error))
         except MemoryError:
-            self._told.emit(generation, "failed", "not enough memory for these surfaces")
+            self._told.emit(generation, "failed", self.tr("not enough memory for these surfaces"))
         except Exception as error:  # a fault of ours: the window stays, and says so
             import traceback
 
             traceback.print_exc()
             first = (str(error).splitlines() or [""])[0][:160]
-            text = f"internal error, please report it: {type(error).__name__}: {first}"
-            self._told.emit(generation, "failed", text)
+            text = self.tr("internal error, please report it: {}")
+            name = type(error).__name__
+            self._told.emit(generation, "failed", text.format(f"{name}: {first}"))
 
     def _receive(self, generation: int, kind: str, value: object) -> None:
         if generation != self._generation:

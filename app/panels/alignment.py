@@ -17,11 +17,23 @@ from app.model.document import NOT_MOVED, Motion
 from app.model.tool import Tool
 from app.numbers import four
 from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_button
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import UNIT
 
 if TYPE_CHECKING:
     from app.model.pair import Pair
     from surfcmp_core.measures.measures import Measures
+
+
+METHODS = (
+    QT_TRANSLATE_NOOP("AlignmentPanel", "landmarks"),
+    QT_TRANSLATE_NOOP("AlignmentPanel", "by hand"),
+    QT_TRANSLATE_NOOP("AlignmentPanel", "then by hand"),
+    QT_TRANSLATE_NOOP("AlignmentPanel", "best fit (ICP)"),
+    QT_TRANSLATE_NOOP("AlignmentPanel", "best fit (ICP) on the overlap"),
+    QT_TRANSLATE_NOOP("AlignmentPanel", "best fit (ICP) on a region"),
+)
+"""How motions are told of in results; several stand with a comma between them."""
 
 
 class AlignmentPanel(Panel):
@@ -145,7 +157,8 @@ class AlignmentPanel(Panel):
         if motion == NOT_MOVED:
             self.method.setText(self.tr("Surface 2 lies as in its file."))
         else:
-            text = self.tr("Moved by {}").format(motion.method)
+            ways = [self.tr(way) for way in motion.method.split(", ")]
+            text = self.tr("Moved by {}").format(", ".join(ways))
             if motion.residual is not None:
                 text += self.tr("; residual {:.3g} {}, {} pairs").format(
                     motion.residual, unit, motion.pairs

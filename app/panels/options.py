@@ -9,31 +9,35 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLineEdit
 
 from app.panels.widgets import ChoiceButton, Panel, quiet_label
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import UNIT
 
 if TYPE_CHECKING:
     from app.model.document import Document
 
 DOMAINS: dict[object, str] = {
-    "data": "Where both have data",
-    "hull": "Inside both hulls",
-    "plane": "The whole plane",
+    "data": QT_TRANSLATE_NOOP("OptionsPanel", "Where both have data"),
+    "hull": QT_TRANSLATE_NOOP("OptionsPanel", "Inside both hulls"),
+    "plane": QT_TRANSLATE_NOOP("OptionsPanel", "The whole plane"),
 }
 DUPLICATES: dict[object, str] = {
-    "refuse": "Refuse",
-    "mean": "Take the mean",
-    "max": "Take the highest",
-    "min": "Take the lowest",
+    "refuse": QT_TRANSLATE_NOOP("OptionsPanel", "Refuse"),
+    "mean": QT_TRANSLATE_NOOP("OptionsPanel", "Take the mean"),
+    "max": QT_TRANSLATE_NOOP("OptionsPanel", "Take the highest"),
+    "min": QT_TRANSLATE_NOOP("OptionsPanel", "Take the lowest"),
 }
 UNITS: dict[object, str] = {
-    "": "As the files say",
+    "": QT_TRANSLATE_NOOP("OptionsPanel", "As the files say"),
     "mm": "mm",
     "cm": "cm",
     "m": "m",
     "in": "in",
     "ft": "ft",
 }
-VIEWS: dict[object, str] = {"z": "Along z, as in the files", "auto": "Found from the surfaces"}
+VIEWS: dict[object, str] = {
+    "z": QT_TRANSLATE_NOOP("OptionsPanel", "Along z, as in the files"),
+    "auto": QT_TRANSLATE_NOOP("OptionsPanel", "Found from the surfaces"),
+}
 
 
 class OptionsPanel(Panel):

@@ -4,18 +4,19 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from app.panels.widgets import tool_button
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import UNIT
 
 STAGES = {
-    "read": "Reading",
-    "triangulate": "Triangulating",
-    "spanning trees": "Spanning trees",
-    "locate": "Locating nodes",
-    "interpolate": "Interpolating",
-    "interface": "Tracing chains",
-    "measures": "Measuring",
-    "done": "Finishing",
-    "picture": "Preparing the picture",
+    "read": QT_TRANSLATE_NOOP("ProgressStrip", "Reading"),
+    "triangulate": QT_TRANSLATE_NOOP("ProgressStrip", "Triangulating"),
+    "spanning trees": QT_TRANSLATE_NOOP("ProgressStrip", "Spanning trees"),
+    "locate": QT_TRANSLATE_NOOP("ProgressStrip", "Locating nodes"),
+    "interpolate": QT_TRANSLATE_NOOP("ProgressStrip", "Interpolating"),
+    "interface": QT_TRANSLATE_NOOP("ProgressStrip", "Tracing chains"),
+    "measures": QT_TRANSLATE_NOOP("ProgressStrip", "Measuring"),
+    "done": QT_TRANSLATE_NOOP("ProgressStrip", "Finishing"),
+    "picture": QT_TRANSLATE_NOOP("ProgressStrip", "Preparing the picture"),
 }
 
 

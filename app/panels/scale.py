@@ -12,15 +12,16 @@ from app.model.view_state import Scale, ViewState
 from app.numbers import short
 from app.panels.histogram import Histogram, distribution, range_of
 from app.panels.widgets import ChoiceButton, NumberBox, Panel, quiet_label
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import UNIT
 
 if TYPE_CHECKING:
     from app.scene.content import Content
 
 PRESETS: dict[object, str] = {
-    (0.5, 1.0, 2.0): "Face: 0.5, 1, 2",
-    (2.0,): "Planned and achieved jaw: 2",
-    (0.1, 0.2, 0.5): "Dental: 0.1, 0.2, 0.5",
+    (0.5, 1.0, 2.0): QT_TRANSLATE_NOOP("ScalePanel", "Face: 0.5, 1, 2"),
+    (2.0,): QT_TRANSLATE_NOOP("ScalePanel", "Planned and achieved jaw: 2"),
+    (0.1, 0.2, 0.5): QT_TRANSLATE_NOOP("ScalePanel", "Dental: 0.1, 0.2, 0.5"),
 }
 """Tolerances in mm that are usual in the clinic."""
 

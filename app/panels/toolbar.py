@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QHBoxLayout,
@@ -16,16 +16,22 @@ from app.icons import dot, icon
 from app.model.view_state import Heatmap, ViewState
 from app.panels.widgets import ChoiceButton, tool_button
 from app.scene.palette import palette
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import theme
 
 HEATMAPS = {
-    Heatmap.SIGNED: "Signed difference",
-    Heatmap.ABSOLUTE: "Absolute difference",
-    Heatmap.REPRESENTATIVE: "Difference, both grids only",
-    Heatmap.TRUST: "Trust map",
-    Heatmap.HEIGHT_1: "Height of 1",
-    Heatmap.HEIGHT_2: "Height of 2",
+    Heatmap.SIGNED: QT_TRANSLATE_NOOP("Toolbar", "Signed difference"),
+    Heatmap.ABSOLUTE: QT_TRANSLATE_NOOP("Toolbar", "Absolute difference"),
+    Heatmap.REPRESENTATIVE: QT_TRANSLATE_NOOP("Toolbar", "Difference, both grids only"),
+    Heatmap.TRUST: QT_TRANSLATE_NOOP("Toolbar", "Trust map"),
+    Heatmap.HEIGHT_1: QT_TRANSLATE_NOOP("Toolbar", "Height of 1"),
+    Heatmap.HEIGHT_2: QT_TRANSLATE_NOOP("Toolbar", "Height of 2"),
 }
+
+
+def heatmap_name(heatmap: Heatmap) -> str:
+    """Return what a heatmap is called."""
+    return QCoreApplication.translate("Toolbar", HEATMAPS[heatmap])
 
 
 class Toolbar(QToolBar):
@@ -56,7 +62,7 @@ class Toolbar(QToolBar):
         gap.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.addWidget(gap)
         self.addWidget(self._relief_switch())
-        self.heatmap = ChoiceButton({kind: self.tr(text) for kind, text in HEATMAPS.items()})
+        self.heatmap = ChoiceButton({kind: heatmap_name(kind) for kind in HEATMAPS})
         self.heatmap.setToolTip(self.tr("What the fourth view shows"))
         self.heatmap.chosen.connect(self.heatmap_chosen)
         self.addWidget(self.heatmap)

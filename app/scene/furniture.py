@@ -33,6 +33,9 @@ class Swatch:
 
     colours: tuple[Rgb, ...]
     text: str
+    """As it stands in the program; views translate it."""
+    count: int | None = None
+    """Stands in the text in place of {}."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,8 +87,8 @@ def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch,
         lines = [
             Swatch((quiet.surface_1,), "clouts of 1"),
             Swatch((quiet.surface_2,), "clouts of 2"),
-            Swatch(_some(5.0, 95.0), f"{counts['chains_closed']} closed chains"),
-            Swatch(_some(185.0, 300.0), f"{counts['chains_open']} open chains"),
+            Swatch(_some(5.0, 95.0), "{} closed chains", counts["chains_closed"]),
+            Swatch(_some(185.0, 300.0), "{} open chains", counts["chains_open"]),
         ]
         if counts["nodes_shared"]:
             lines.insert(2, Swatch((quiet.shared,), "shared nodes only"))

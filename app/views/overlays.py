@@ -1,5 +1,6 @@
 """What lies over a view's picture: the colour bar, the legend, the length bar."""
 
+from dataclasses import replace
 from typing import override
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
@@ -10,6 +11,7 @@ from app.numbers import short
 from app.scene.colour_maps import Rgb
 from app.scene.furniture import ColourBar, Swatch
 from app.scene.scale import round_down
+from app.texts import QT_TRANSLATE_NOOP
 from app.theme import UNIT, Theme, tabular
 
 BAR_WIDTH = 14.0
@@ -128,6 +130,20 @@ class ColourBarOverlay(Overlay):
         )
 
 
+LEGEND = (
+    QT_TRANSLATE_NOOP("LegendOverlay", "clouts of 1"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "clouts of 2"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "{} closed chains"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "{} open chains"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "shared nodes only"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "rests on both grids"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "on grid 1 only"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "on grid 2 only"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "not compared"),
+)
+"""All texts of legends, for those who translate."""
+
+
 class LegendOverlay(Overlay):
     """Colours and what they mean, line by line."""
 
@@ -137,7 +153,9 @@ class LegendOverlay(Overlay):
 
     def show_legend(self, swatches: tuple[Swatch, ...]) -> None:
         """Show these lines; none hides the legend."""
-        self._swatches = swatches
+        self._swatches = tuple(
+            replace(swatch, text=self.tr(swatch.text).format(swatch.count)) for swatch in swatches
+        )
         self.setVisible(bool(swatches))
         self.resize(self.sizeHint())
         self.update()

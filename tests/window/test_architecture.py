@@ -10,7 +10,7 @@ import app
 APP = Path(app.__file__).parent
 ORDER = (
     {"model"},
-    {"numbers", "theme", "settings", "icons"},
+    {"numbers", "texts", "theme", "settings", "icons"},
     {"scene"},
     {"jobs"},
     {"views", "panels"},
