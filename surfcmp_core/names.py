@@ -1,6 +1,5 @@
 """Names of files, as text that can be shown anywhere."""
 
-import os
 from pathlib import Path
 
 
@@ -17,5 +16,5 @@ def one_line(text: str | Path) -> str:
     str
         With a replacement mark for each character that cannot be printed.
     """
-    decoded = os.fsencode(text).decode("utf-8", "replace")
+    decoded = str(text).encode("utf-8", "surrogateescape").decode("utf-8", "replace")
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in decoded)

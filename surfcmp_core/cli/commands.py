@@ -1,6 +1,10 @@
 """All commands of `surfcmp`."""
 
+import os
+import sys
 from collections.abc import Sequence
+from io import TextIOWrapper
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -43,6 +47,7 @@ def _options(
 
 def run_command(arguments: Sequence[str]) -> int:
     """Run the command that the arguments name; return its exit status."""
+    _make_streams_usable()
     with stopping_soon():
         try:
             commands(list(arguments), prog_name="surfcmp")
@@ -50,3 +55,12 @@ def run_command(arguments: Sequence[str]) -> int:
             # 1 is typer's word for a reader that went away.
             return INTERRUPTED if end.code == 1 else int(end.code or 0)
     return 0
+
+
+def _make_streams_usable() -> None:
+    """Let text go out whatever the terminal's letters are, and nowhere where there is no stream."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
+        elif isinstance(stream := getattr(sys, name), TextIOWrapper):
+            stream.reconfigure(errors="replace")

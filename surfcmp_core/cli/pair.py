@@ -124,7 +124,7 @@ def compare_surfaces(
         max_edge=settings.max_edge,
         exact=settings.exact,
         tolerances=settings.tolerances,
-        weight=None if settings.weight is None else read_weight(settings.weight),
+        weight=read_weight(settings.weight, settings.duplicates) if settings.weight else None,
         duplicates=settings.duplicates,
         threads=settings.threads,
         align=None if placement else motion,

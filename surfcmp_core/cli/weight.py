@@ -7,16 +7,19 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Weight
 from surfcmp_core.errors import InputError
+from surfcmp_core.grid import Duplicates
 
 
-def read_weight(path: Path) -> Weight:
+def read_weight(path: Path, duplicates: Duplicates = "refuse") -> Weight:
     """Read µ, the third column of a surface file.
 
     Parameters
     ----------
     path
-        Any readable surface file; x, y in the comparison's plane and unit. Its own triangles, if
-        any, are not used.
+        Any readable surface file; x, y in the comparison's plane and unit, whatever unit the file
+        states. Its own triangles, if any, are not used.
+    duplicates
+        What to do with different weights at one place.
 
     Returns
     -------
@@ -35,7 +38,7 @@ def read_weight(path: Path) -> Weight:
     from surfcmp_core.localisation import locate_along_tree
     from surfcmp_core.triangulation import triangulate
 
-    grid = grid_of(read_surface(path))
+    grid = grid_of(read_surface(path, unit="mm"), duplicates=duplicates)  # mm: nothing converted
     if (grid.z < 0).any():
         raise InputError(f"{path}: {int((grid.z < 0).sum())} weights are below zero")
     scale = safe_scale(grid.nodes)

@@ -2,6 +2,7 @@
 
 import json
 import zipfile
+from contextlib import suppress
 from io import BytesIO
 from typing import Any
 
@@ -31,9 +32,12 @@ def read_npz(data: bytes) -> Raw:
             raise InputError(f"it holds no 'points', only {', '.join(arrays)[:80] or 'nothing'}")
         found: dict[str, NDArray[Any]] = {
             key: _array(archive.read(arrays[key]), key)
-            for key in ("points", "faces", "unit", "meta")
+            for key in ("points", "faces")
             if key in arrays
         }
+        for key in ("unit", "meta"):
+            with suppress(KeyError, InputError):  # of any shape; not what was asked for
+                found[key] = _array(archive.read(arrays[key]), key)
     polygons = []
     if (faces := found.get("faces")) is not None:
         if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":

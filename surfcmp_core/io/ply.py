@@ -105,8 +105,9 @@ def _read_text(
         if len(block) < element.count:
             raise InputError(f"{element.count} of {element.name} declared, {len(block)} found")
         wanted = element.wanted()
-        if any(one.length for one in element.properties[: max(wanted, default=0)]):
-            raise InputError(f"a list stands before what is read of its {element.name} element")
+        before = element.properties[: max(wanted, default=0)]
+        if any(one.length for one in before):
+            block = [_with_lists_shortened(row, before) for row in block]
         if element.name == "vertex":
             points = table(block, wanted, np.float64)
         elif wanted:
@@ -114,6 +115,15 @@ def _read_text(
     if at < len(rows):
         raise InputError(f"its header declares {at} lines of data, {len(rows)} found")
     return points, polygons
+
+
+def _with_lists_shortened(row: str, properties: list[_Property]) -> str:
+    """Put one word in the place of each list, so that every property has its column."""
+    words, at, columns = row.split(), 0, []
+    for one in properties:
+        columns.append(words[at])
+        at += 1 + (int(words[at]) if one.length else 0)
+    return " ".join(columns + words[at:])
 
 
 def _read_binary(

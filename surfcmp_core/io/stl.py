@@ -20,8 +20,8 @@ def read_stl(data: bytes) -> Raw:
     if data.lstrip()[:5].lower() == b"solid" and b"\0" not in data:
         return _read_text(decode(data))
     raise InputError(
-        f"{declared} triangles declared in its binary header, "
-        f"room for {max(0, len(data) - _START) // _RECORD.itemsize}"
+        f"{declared} triangles declared in its binary header, which take "
+        f"{_START + declared * _RECORD.itemsize} bytes; the file has {len(data)}"
     )
 
 

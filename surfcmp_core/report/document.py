@@ -111,7 +111,7 @@ def _measures(measures: Measures) -> Document:
 def _input(surface: Surface, grid: Grid) -> Document:
     dropped = {**surface.dropped, **({"merged": grid.merged} if grid.merged else {})}
     return {
-        "file": one_line(surface.path or surface.name),
+        "file": str(surface.path or surface.name),
         "sha256": surface.sha256,
         "kind": surface.kind,
         "nodes": len(grid.nodes) + sum(dropped.values()),
@@ -121,13 +121,13 @@ def _input(surface: Surface, grid: Grid) -> Document:
 
 
 def _strict(value: Any) -> Any:
-    """Replace what JSON has no word for (NaN, infinity) by None, tuples by lists."""
+    """Replace what JSON has no word for: NaN, infinity, tuples, bytes that are no text."""
     if isinstance(value, Mapping):
-        return {str(key): _strict(inner) for key, inner in value.items()}
+        return {one_line(str(key)): _strict(inner) for key, inner in value.items()}
     if isinstance(value, list | tuple):
         return [_strict(inner) for inner in value]
     if isinstance(value, np.generic):
         return _strict(value.item())
     if isinstance(value, float):
         return float(value) if math.isfinite(value) else None
-    return value
+    return one_line(value) if isinstance(value, str) else value

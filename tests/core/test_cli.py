@@ -164,6 +164,45 @@ def test_a_weight_is_linear_between_its_nodes_and_constant_outside(
     assert lines(capsys) == [f"surfcmp: {file}: 1 weights are below zero"]
 
 
+def test_a_weight_is_not_converted_and_knows_what_to_do_with_duplicates(
+    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "weight.obj"
+    nodes = "v 0 0 1\nv 5 0 2\nv 5 5 2\nv 0 5 1\n"
+    file.write_text(f"# unit m\n{nodes}")
+    assert main(["compare", *pair, "--json", "--weight", str(file)]) == 0
+    measures = json.loads(capsys.readouterr().out)["measures"]
+    assert 1.0 < measures["rho_V_mu"] / measures["rho_V"] < 2.0
+
+    file.write_text(f"{nodes}v 0 0 3\n")
+    assert main(["compare", *pair, "--quiet", "--weight", str(file)]) == 3
+    (line,) = lines(capsys)
+    assert "--duplicates" in line
+    assert main(["compare", *pair, "--quiet", "--weight", str(file), "--duplicates", "max"]) == 0
+
+
+@pytest.mark.parametrize("options", [["--json"], [], ["--quiet"]])
+def test_odd_names_and_poor_streams(pair: tuple[str, str], options: list[str]) -> None:
+    odd = os.fsencode(pair[0]).replace(b"one.xyz", b"\xff \n\xc3\xa9.xyz")
+    os.rename(pair[0], odd)
+    command = [sys.executable, "-m", "app", "compare", odd, pair[1], *options]
+    environment = {**os.environ, "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii", "LC_ALL": "C"}
+    done = subprocess.run(command, cwd=PROJECT, env=environment, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (0, b"")
+    if options == ["--json"]:
+        document = json.loads(done.stdout.decode("utf-8"))
+        assert document["inputs"][0]["file"].endswith("/\ufffd \ufffdé.xyz")
+
+    for closed in ((1,), (2,), (1, 2)):
+        done = subprocess.run(
+            ["sh", "-c", " ".join(['exec "$@"', *(f"{n}>&-" for n in closed)]), "sh", *command],
+            cwd=PROJECT,
+            capture_output=True,
+            check=False,
+        )
+        assert (done.returncode, done.stderr) == (0, b"")
+
+
 @pytest.mark.parametrize("project", ["z", "auto", "view:0,0,2", "view:0.1,0,1"])
 def test_directions_of_view(
     pair: tuple[str, str], capsys: pytest.CaptureFixture[str], project: str

@@ -131,6 +131,10 @@ def test_surface_knows_its_file(tmp_path: Path):
         "//X Y Z\n0 0 0\n1 0 1\n# half way\n0 1 2\n",
         '"id","z","x","y"\n"a, b",0,0,0\nc,1,1,0\n"d",2,0,1\n',
         "0 0 0 255 lower\n1 0 1 0 upper\n0 1 2 7 lower\n",
+        "x;y;z\n0,0;0;0,00\n1,0;0;1\n0;10e-1;2,\n",
+        "0,0;0;0\n1;0;1\n0;1;2\n",
+        "id,Z [mm],X [mm],Y [mm]\n7,0,0,0\n8,1,1,0\n9,2,0,1\n",
+        "z_mm z x y\n5 0 0 0\n5 1 1 0\n5 2 0 1\n",
     ],
 )
 def test_text_columns(text: str):
@@ -187,6 +191,21 @@ def test_binary_ply_of_triangles_and_quadrilaterals_with_other_properties(order:
     assert np.array_equal(surface.points, files.SQUARE)
     assert surface.faces is not None
     assert sorted(surface.faces.tolist()) == [[0, 1, 2], [0, 1, 2], [0, 2, 3], [0, 2, 3]]
+
+
+def test_text_ply_with_lists_ahead_of_what_is_read():
+    text = (
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty list uchar float weights\n"
+        "property double x\nproperty double y\nproperty double z\nelement face 2\n"
+        "property list uchar float texcoord\nproperty uchar flag\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0 0 0 0\n2 9 9 1 0 0.25\n1 9 1 1 0.5\n0 0 1 -1\n"
+        "2 0.5 0.5 7 3 0 1 2\n0 7 3 0 2 3\n"
+    )
+    surface = _read("scan.ply", text.encode())
+    assert np.array_equal(surface.points, files.SQUARE)
+    assert surface.faces is not None
+    assert surface.faces.tolist() == files.TWO.tolist()
 
 
 def test_a_mesh_left_without_triangles_is_a_cloud():

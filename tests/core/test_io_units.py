@@ -134,6 +134,12 @@ def test_npz_tells_its_unit_and_keeps_its_bits(
     assert np.array_equal(read_surface(path, unit="cm").points, 10 * SQUARE)
 
 
+def test_what_else_an_npz_holds_does_not_matter(tmp_path: Path):
+    odd = np.array({"unit": "cm"}, dtype=object)
+    path = _write(tmp_path / "scan.npz", files.npz(SQUARE, meta=odd, unit=odd, other=odd))
+    assert read_surface(path).unit is None
+
+
 WKT = 'PROJCS["a",GEOGCS["b",UNIT["degree",0.0174532925199433]],UNIT["metre",1]'
 
 
