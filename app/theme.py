@@ -137,6 +137,8 @@ def style_sheet(c: Theme) -> str:
     QToolButton[segment="first"] {{ border-top-right-radius: 0; border-bottom-right-radius: 0; }}
     QToolButton[segment="last"] {{ border-top-left-radius: 0; border-bottom-left-radius: 0;
         border-left: none; }}
+    QCheckBox::indicator:unchecked {{ border: 1px solid {c.quiet}; border-radius: 2px;
+        background: {c.panel}; width: 12px; height: 12px; }}
     QLineEdit {{ background: {c.panel}; border: 1px solid {c.line};
         border-radius: 6px; padding: 5px 8px; selection-background-color: {c.accent};
         selection-color: {c.on_accent}; }}

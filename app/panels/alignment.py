@@ -58,9 +58,8 @@ class AlignmentPanel(Panel):
             self.tr("As in the files"), self.tr("Take every motion back"), plain=True
         )
         self.reset.clicked.connect(self.reset_asked)
-        self.pick = tool_button(
-            self.tr("Pick landmarks"), self.tr("Click the same places on surface 1 and on 2")
-        )
+        self.pick = QPushButton(self.tr("Pick landmarks"))
+        self.pick.setToolTip(self.tr("Click the same places on surface 1 and on 2"))
         self.pick.setCheckable(True)
         self.pick.clicked.connect(
             lambda on: self.tool_asked.emit(Tool.LANDMARK if on else Tool.LOOK)
@@ -158,7 +157,7 @@ class AlignmentPanel(Panel):
             self.method.setText(self.tr("Surface 2 lies as in its file."))
         else:
             ways = [self.tr(way) for way in motion.method.split(", ")]
-            text = self.tr("Moved by {}").format(", ".join(ways))
+            text = self.tr("Moved: {}").format(", ".join(ways))
             if motion.residual is not None:
                 text += self.tr("; residual {:.3g} {}, {} pairs").format(
                     motion.residual, unit, motion.pairs

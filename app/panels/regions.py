@@ -71,8 +71,9 @@ class RegionsPanel(Panel):
         )
         self.new.clicked.connect(self._let_go)
         self.colour = tool_button(
-            self.tr("Colour"), self.tr("Another colour for the region"), plain=True
+            self.tr("Colour") + " ▾", self.tr("Another colour for the region"), plain=True
         )
+        self.colour.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.colour.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.colour.setMenu(self._colours())
         self.save = tool_button(self.tr("Save…"), self.tr("Save the regions"), plain=True)
@@ -89,10 +90,9 @@ class RegionsPanel(Panel):
             header.resizeSection(column, width * UNIT)
         self.tree.itemChanged.connect(self._edited)
         self.tree.itemSelectionChanged.connect(self._enable)
-        self.hint = quiet_label(
-            self.tr("Draw around a region. Its measures stand here; all parts add up to the whole.")
-        )
+        self.hint = quiet_label()
         self.hint.setWordWrap(True)
+        self.hint.setText(self._invitation())
         self._count = 0
         self._lay_out()
         self._enable()
@@ -166,8 +166,17 @@ class RegionsPanel(Panel):
             row = selected if known else self._count - 1  # a new region is the selected one
             self.tree.setCurrentIndex(self.tree.model().index(row, 0))
         self.tree.blockSignals(False)
-        self.hint.setVisible(not found)
+        text = self.tr("Area in {}, mean and 95th percentile in {}; the parts add up.").format(
+            with_unit(1.0, 2, unit)[1], unit
+        )
+        self.hint.setText(text if found else self._invitation())
         self._enable()
+
+    def _invitation(self) -> str:
+        return self.tr(
+            "Draw around a region, or paint it. Its measures stand here; all parts add up to the"
+            " whole."
+        )
 
     def _let_go(self) -> None:
         self.tree.setCurrentIndex(QModelIndex())
