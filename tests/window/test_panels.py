@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QTabBar, QWidget
+from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from app.model.document import NOT_MOVED
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
 from app.panels.regions import COLOURS
@@ -252,6 +253,43 @@ def test_a_nudge_is_a_motion_and_undone(sample: MainWindow, qtbot: QtBot):
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.alignment.reset, LEFT)
     assert sample.session.shown.comparison.measures.mean_signed == before
+
+
+def test_each_button_nudges_its_way(sample: MainWindow, qtbot: QtBot):
+    show(sample, "alignment")
+    box = sample.alignment.step
+    box.setFocus()
+    box.selectAll()
+    qtbot.keyClicks(box, "0.5")
+    qtbot.keyClick(box, Qt.Key.Key_Return)
+    buttons = {b.text(): b for b in sample.alignment.findChildren(QToolButton)}
+    for text, (row, column, value) in (
+        ("+x", (0, 3, 0.5)),
+        ("−y", (1, 3, -0.5)),
+        ("+↻z", (1, 0, np.sin(np.deg2rad(0.5)))),
+    ):
+        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+            qtbot.mouseClick(buttons[text], LEFT)
+        assert sample.session.document.motion.matrix[row][column] == pytest.approx(value)
+        assert sample.actions_of.undo.text() == "&Undo alignment"
+        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+            sample.actions_of.undo.trigger()
+    assert sample.session.document.motion == NOT_MOVED
+
+
+def test_best_fit_on_a_region_needs_one(lassoed: MainWindow, qtbot: QtBot):
+    show(lassoed, "alignment")
+    qtbot.mouseClick(lassoed.alignment.on_region, LEFT, pos=QPoint(8, 8))
+    assert lassoed.alignment.on_region.isChecked()
+    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
+        qtbot.mouseClick(lassoed.alignment.fit, LEFT)
+    assert lassoed.alignment.method.text().startswith("Moved: best fit (ICP) on a region")
+    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
+        lassoed.regions_of.remove(0)
+    before = lassoed.session.document
+    qtbot.mouseClick(lassoed.alignment.fit, LEFT)
+    assert lassoed.session.document == before
+    assert lassoed.banner.isVisible()
 
 
 def test_best_fit_takes_a_shift_back(sample: MainWindow, qtbot: QtBot):

@@ -6,12 +6,15 @@ import threading
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PySide6.QtCore import SignalInstance
 from pytestqt.exceptions import capture_exceptions
 from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
+from app.panels.regions import COLOURS
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 
@@ -19,7 +22,26 @@ STEPS = int(os.environ.get("SURFCMP_WALK", "300"))
 """How far to walk; `SURFCMP_WALK=2000` walks as far as one does before a release."""
 
 
-@pytest.mark.timeout(600)
+def check(window: MainWindow) -> None:
+    """What is shown, the document, the view and the history must belong together."""
+    session, display = window.session, window.display
+    if session.shown is None:
+        return
+    assert session.document == session.shown.document
+    assert display.content is session.shown.content
+    assert display.state.kept == session.history.current.view
+    assert display.state.scale.tolerances == session.document.options.tolerances
+    assert window.actions_of.undo.isEnabled() == (session.history.undoable is not None)
+    assert window.actions_of.redo.isEnabled() == (session.history.redoable is not None)
+    measures = session.shown.comparison.measures
+    parts = [part.measures.area_compared for part in session.shown.regions if part.measures]
+    if session.document.regions:
+        assert sum(parts) == pytest.approx(measures.area_compared, rel=1e-12)
+    triangles = len(session.shown.comparison.united.triangles)
+    assert all(place.triangle < triangles for place in display.state.probes)
+
+
+@pytest.mark.timeout(1800)
 def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot):
     chance = random.Random(11)
     session, display = window.session, window.display
@@ -42,13 +64,24 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
             replace(old, limit=limit, banded=banded, tolerances=tolerances, pinned=True)
         )
 
-    def rename() -> None:
+    def of_a_region(signal: SignalInstance, *values: object) -> None:
         if session.document.regions:
-            window.regions.renamed.emit(0, chance.choice(["", "nose", "chin"]))
+            signal.emit(chance.randrange(len(session.document.regions)), chance.choice(values))
 
-    def weigh() -> None:
-        if session.document.regions:
-            window.regions.weighed.emit(0, chance.choice([-1.0, 0.0, 0.5, 3.0]))
+    def stroke() -> None:
+        window.regions.take.setChecked(chance.random() < 0.4)
+        tool = chance.choice([Tool.LASSO, Tool.BRUSH])
+        window.regions_of.draw(tool, (spot(), spot(), spot(), spot()))
+
+    def landmark() -> None:
+        if session.shown is not None:
+            place = session.shown.content.geometry.origin + np.array([*spot(), chance.random()])
+            window.alignment_of.add_landmark(chance.choice([1, 2]), place)
+
+    def option() -> None:
+        panel = window.options
+        button = chance.choice([panel.domain, panel.duplicates, panel.unit, panel.project])
+        chance.choice(list(button.choices.values())).trigger()
 
     actions = [
         lambda: window.opening.take(list(files)),
@@ -62,14 +95,29 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         window.opening.swap_surfaces,
         lambda: window.alignment.nudged.emit(chance.choice(["x", "z", "ry"]), 0.5),
         lambda: window.alignment_of.best_fit(False),
+        lambda: window.alignment_of.best_fit(True),
+        landmark,
+        landmark,
+        window.alignment_of.fit_landmarks,
         window.alignment_of.clear,
+        lambda: window.alignment.reset_asked.emit(),
         lambda: display.use(chance.choice(list(Tool))),
-        lambda: window.regions_of.draw(Tool.LASSO, (spot(), spot(), spot(), spot())),
-        lambda: window.regions_of.draw(Tool.BRUSH, (spot(), spot())),
+        stroke,
+        stroke,
+        stroke,
+        window.regions.new.click,
         lambda: window.regions_of.draw(Tool.SECTION, (spot(), spot())),
         lambda: window.regions_of.remove(0),
-        rename,
-        weigh,
+        lambda: of_a_region(window.regions.renamed, "", "nose", "chin"),
+        lambda: of_a_region(window.regions.weighed, -1.0, 0.0, 0.5, 3.0),
+        lambda: of_a_region(window.regions.coloured, *COLOURS),
+        lambda: window.regions_of.save(tmp_path / "regions.json"),
+        lambda: (
+            (tmp_path / "regions.json").is_file()
+            and window.regions_of.load(tmp_path / "regions.json")
+        ),
+        option,
+        scale,
         scale,
         window.showing._fit,
         lambda: display.change(heatmap=chance.choice(list(Heatmap))),
@@ -81,8 +129,13 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         lambda: display._zoom(chance.choice([0.8, 1.25]), *place()),
         display.go_home,
         window.showing.keep_probe,
-        lambda: window.sessions.save(saved),
+        lambda: window.sessions.save(saved, embed=chance.random() < 0.5),
         lambda: saved.is_file() and window.sessions.open(saved),
+        window.sessions._save_now,
+        window.sessions.offer_recovery,
+        lambda: window.banner.action.isVisible() and window.banner.action.click(),
+        lambda: window.exporting.write(tmp_path / f"out{chance.choice(['.json', '.csv'])}"),
+        window.actions_of.hide.trigger,
         window.actions_of.toggle_dark,
         window.actions_of.toggle_edges,
         window.actions_of.stop,
@@ -100,9 +153,15 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         qtbot.wait(200)
     assert exceptions == []
     assert all("\n" not in error and "internal" not in error for error in errors), errors
-    if session.shown is not None and session.document.complete:
-        assert session.document == session.shown.document
-        assert display.content is session.shown.content
+    check(window)
+    for _ in range(8):  # all the way back, and forth again
+        session.undo()
+        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        check(window)
+    for _ in range(8):
+        session.redo()
+        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        check(window)
     names = {thread.name for thread in threading.enumerate()}
     assert names <= {"MainThread", "studio", "comparison"}
     # and it still works
