@@ -24,14 +24,14 @@ class View:
         self.renderer = vtkRenderer()
         self._layer: MeshLayer | None = None
         self._surface = surface = vtkProperty()
-        self._whole, self._coarse = Mesh(surface), Mesh(surface)
+        self._whole, self._coarse = (Mesh(self.renderer, surface) for _ in range(2))
         self._lines, self._line_data = new_actor()
         self._drawn: MeshLayer | None = None
         """Whose lines were sent last."""
         self._sketched = False
         self._dots, self._dot_data = new_actor()
         self._dotted: MeshLayer | None = None
-        for actor in (self._whole.actor, self._coarse.actor, self._lines, self._dots):
+        for actor in (self._lines, self._dots):
             self.renderer.AddActor(actor)
         self._dots.GetProperty().SetLighting(False)
         self._dots.GetProperty().SetRenderPointsAsSpheres(True)
@@ -89,8 +89,8 @@ class View:
         """Draw the whole patch, or its coarse likeness where there is one."""
         layer = self._layer
         self._sketched = layer is not None and layer.patch.coarse is not None and not fine
-        self._coarse.actor.SetVisibility(self._sketched)
-        self._whole.actor.SetVisibility(layer is not None and not self._sketched)
+        self._coarse.set_visible(self._sketched)
+        self._whole.set_visible(layer is not None and not self._sketched)
 
     def colour(self, background: Rgb, edge: Rgb) -> None:
         """Set the colours that carry no quantity."""
@@ -142,7 +142,7 @@ class View:
         if layer is None or layer.nodes is None or layer is self._dotted:
             return
         self._dotted = layer
-        self._dot_data.SetPoints(self._whole.data.GetPoints())
+        self._dot_data.SetPoints(self._whole.points)
         numbers = np.arange(len(layer.patch.points), dtype=np.int32)
         self._dot_data.SetVerts(cells_of(numbers.reshape(-1, 1)))
         paint(self._dots, self._dot_data, layer.nodes)

@@ -7,21 +7,27 @@ from numpy.typing import NDArray
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkRenderer
 
 from app.scene.coarse import Coarse
 from app.scene.colour_maps import Colours, Rgb
 from app.scene.geometry import Patch
 
+PART = 1 << 17
+"""Triangles drawn in one go."""
 FLAT = np.array([1, 1, 0], dtype=np.float32)
 
 
 class Mesh:
-    """A patch, or its coarse likeness, on the screen."""
+    """A patch, or its coarse likeness, on the screen.
 
-    def __init__(self, surface: vtkProperty) -> None:
-        self.actor, self.data = new_actor()
-        self.actor.SetProperty(surface)
+    Large ones are drawn in parts, so that drawing can be given up between them.
+    """
+
+    def __init__(self, renderer: vtkRenderer, surface: vtkProperty) -> None:
+        self._renderer, self._surface = renderer, surface
+        self._parts: list[tuple[vtkActor, vtkPolyData]] = []
+        self.points = vtkPoints()
         self.box = np.zeros((2, 3))
         """Lowest and highest coordinates of its nodes, as they are drawn."""
         self._patch: Patch | None = None
@@ -33,6 +39,15 @@ class Mesh:
     ) -> None:
         """Show a patch, or where `coarse` is given its coarse likeness."""
         fresh = patch is not self._patch
+        triangles = patch.triangles if coarse is None else coarse.triangles
+        if fresh:
+            self.clear()
+            for begin in range(0, len(triangles), PART):
+                actor, data = new_actor()
+                actor.SetProperty(self._surface)
+                data.SetPolys(cells_of(triangles[begin : begin + PART]))
+                self._renderer.AddActor(actor)
+                self._parts.append((actor, data))
         if fresh or relief != self._relief:
             points, normals = patch.points, patch.normals
             if coarse is not None:
@@ -40,22 +55,35 @@ class Mesh:
             if not relief:
                 points = points * FLAT
             self.box = np.stack([points.min(axis=0), points.max(axis=0)]).astype(np.float64)
-            self.data.SetPoints(points_of(points))
-            self.data.GetPointData().SetNormals(to_vtk(normals))
-            self.data.Modified()
-        if fresh:
-            self.data.SetPolys(cells_of(patch.triangles if coarse is None else coarse.triangles))
+            self.points, upright = points_of(points), to_vtk(normals)
+            for _, data in self._parts:  # which share both
+                data.SetPoints(self.points)
+                data.GetPointData().SetNormals(upright)
+                data.Modified()
         if fresh or colours is not self._colours:
-            if isinstance(colours, tuple):
-                self.actor.GetMapper().ScalarVisibilityOff()
-                self.actor.GetProperty().SetColor(*unit(colours))
-            else:
-                paint(self.actor, self.data, colours)
+            self._paint(colours)
         self._patch, self._relief, self._colours = patch, relief, colours
+
+    def _paint(self, colours: Colours | Rgb) -> None:
+        if isinstance(colours, tuple):
+            self._surface.SetColor(*unit(colours))
+        for k, (actor, data) in enumerate(self._parts):
+            if isinstance(colours, tuple):
+                actor.GetMapper().ScalarVisibilityOff()
+            else:
+                paint(actor, data, colours[k * PART : (k + 1) * PART])
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide it."""
+        for actor, _ in self._parts:
+            actor.SetVisibility(visible)
 
     def clear(self) -> None:
         """Show nothing, and let go of what was shown."""
-        self.data.Initialize()
+        for actor, _ in self._parts:
+            self._renderer.RemoveActor(actor)
+            actor.ReleaseGraphicsResources(self._renderer.GetRenderWindow())
+        self._parts.clear()
         self._patch = self._relief = self._colours = None
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +18,7 @@ if sys.platform == "linux":  # needs no X server and starts three times faster t
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - makes the classes below draw
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkCommand, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from app.views.drawn_view import View
@@ -39,6 +40,8 @@ class Renderer:
 
     def __init__(self, views: int) -> None:
         self._window = vtkRenderWindow()
+        self._window.AddObserver(vtkCommand.AbortCheckEvent, self._check)
+        self._give_up: Callable[[], bool] | None = None
         self._window.SetOffScreenRendering(True)
         self._window.SetMultiSamples(0)
         self._pixels = vtkUnsignedCharArray()
@@ -68,13 +71,24 @@ class Renderer:
             if scene is not None:
                 view.colour(scene.palette.background, scene.palette.edge)
 
+    def _check(self, *_: object) -> None:
+        """Stop drawing half way where that is wanted; VTK asks before each part of a mesh."""
+        if self._give_up is not None and self._give_up():
+            self._window.SetAbortRender(True)
+
     def draw(
-        self, camera: Camera, tiles: list[Tile], fine: bool, density: float = 1.0
+        self,
+        camera: Camera,
+        tiles: list[Tile],
+        fine: bool,
+        density: float = 1.0,
+        give_up: Callable[[], bool] | None = None,
     ) -> dict[int, Image]:
         """Return the picture of each tile's view, (height, width, 4) RGBA, top row first.
 
         `fine` draws whole patches and the triangles' sides; without it the picture comes sooner.
-        `density` is how many pixels are drawn for one on the screen, along each side.
+        `density` is how many pixels are drawn for one on the screen, along each side. Nothing is
+        returned where `give_up` says so half way.
         """
         if not tiles:
             return {}
@@ -98,7 +112,10 @@ class Renderer:
             view.look(camera, tile.height / density, fine)
             view.thicken(density)
             corners[tile.view] = (x, y, tile)
+        self._give_up = give_up
         self._window.Render()
+        if self._window.GetAbortRender():
+            return {}
         box = (0, 0, width - 1, height - 1)
         self._window.GetRGBACharPixelData(*box, 0, self._pixels, 0)
         whole = np.asarray(vtk_to_numpy(self._pixels))  # type: ignore[no-untyped-call]

@@ -196,6 +196,8 @@ class _Hand:
         finer = []
         for k, group in enumerate(groups):
             images, seconds = self._draw(wish, group, 1.0, fine=True)
+            if group and not images:
+                return
             affordable = seconds < AFFORDABLE_SECONDS * len(group)
             finer += group if affordable else []
             if not affordable:
@@ -206,6 +208,8 @@ class _Hand:
                 return
         if finer:
             images, seconds = self._draw(wish, finer, float(FINE), fine=True)
+            if not images:
+                return
             self._note(wish, scene, finer, sharp=True)
             halves = {view: _halved(image) for view, image in images.items()}
             self._show(Pictures(_qimages(halves), wish, seconds, final=True))
@@ -215,7 +219,7 @@ class _Hand:
         self._scene(order.wish)
         images: dict[int, Image] = {}
         for size in order.wish.sizes:
-            images |= self._draw(order.wish, [size], order.density, fine=True)[0]
+            images |= self._draw(order.wish, [size], order.density, fine=True, steady=True)[0]
         self._seen.clear()
         order.done(_qimages(images))
 
@@ -255,8 +259,18 @@ class _Hand:
             self._seen[size[0]] = _seen(wish, scene, size, sharp=sharp)
 
     def _draw(
-        self, wish: Wish, sizes: Iterable[tuple[int, int, int]], factor: float, *, fine: bool
+        self,
+        wish: Wish,
+        sizes: Iterable[tuple[int, int, int]],
+        factor: float,
+        *,
+        fine: bool,
+        steady: bool = False,
     ) -> "tuple[dict[int, Image], float]":
+        """Return pictures, and how long they took; none where others are wanted meanwhile.
+
+        Sketches are always finished, and so is what is drawn `steady`.
+        """
         from app.views.renderer import Tile
 
         start = time.perf_counter()
@@ -264,7 +278,8 @@ class _Hand:
             Tile(view, max(round(width * factor), 1), max(round(height * factor), 1))
             for view, width, height in sizes
         ]
-        images = self._renderer.draw(wish.camera, tiles, fine, max(factor, 1.0))
+        give_up = self._overtaken if fine and not steady else None
+        images = self._renderer.draw(wish.camera, tiles, fine, max(factor, 1.0), give_up)
         return images, time.perf_counter() - start
 
 
