@@ -1,6 +1,8 @@
 """`surfcmp batch PATHS...`: all pairs of some files."""
 
 import json
+import os
+import time
 from itertools import combinations
 from pathlib import Path
 from typing import Annotated, Any, BinaryIO
@@ -22,15 +24,17 @@ from surfcmp_core.cli.options import (
     UnitOption,
     WeightOption,
 )
-from surfcmp_core.cli.pair import Settings, compare_files
+from surfcmp_core.cli.pair import Settings, compare_surfaces, read
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
 from surfcmp_core.errors import InputError
 from surfcmp_core.names import one_line
+from surfcmp_core.progress import Progress
 from surfcmp_core.report import OutputError, check_outputs
 from surfcmp_core.report.document import Document, now, program
 from surfcmp_core.report.meanings import MEANINGS
 from surfcmp_core.report.numbers import with_unit
 from surfcmp_core.report.outputs import write_all
+from surfcmp_core.surface import Surface
 
 Paths = Annotated[
     list[Path],
@@ -40,6 +44,8 @@ OutOption = Annotated[
     list[Path] | None,
     typer.Option("--out", metavar="FILE", help="Write the table; repeatable. Endings: .csv .json"),
 ]
+_KEPT = 10_000_000
+"""Nodes of read files that are kept for later pairs."""
 _COLUMNS = ("mean_abs", "p95", "coverage_1", "coverage_2")
 
 
@@ -73,19 +79,15 @@ def command(
         threads=threads,
     )
     settings.check()
-    files = _files(paths)
     results = out or []
+    files = _files(paths, leave_out=results)
     try:
         check_outputs(results, files, (".csv", ".json"))
     except OutputError as fault:
         raise WrongUsage(f"--out {fault}") from None
 
-    pairs = list(combinations(files, 2))
-    done = []
     with progress_bar(quiet) as progress:
-        for number, pair in enumerate(pairs):
-            progress(f"pair {number + 1} of {len(pairs)}", number / len(pairs))
-            done.append(_one(pair, settings))
+        done = _all_pairs(files, settings, progress)
     write_all({path: _writer(path, done) for path in results})
     if not quiet:
         _show(done)
@@ -93,30 +95,74 @@ def command(
         raise typer.Exit(CANNOT_COMPARE)
 
 
-def _files(paths: list[Path]) -> list[Path]:
+def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
+    """Name the files, and in folders those that can be read; but no hidden ones, nor results."""
     from surfcmp_core.io.read import READERS
 
+    results = {os.path.realpath(path) for path in leave_out}
     files: list[Path] = []
     for path in paths:
-        if path.is_dir():
-            files += sorted(one for one in path.iterdir() if one.suffix.lower() in READERS)
-        else:
+        if not path.is_dir():
             files.append(path)
+            continue
+        try:
+            inside = sorted(path.iterdir())
+        except OSError as fault:
+            raise InputError(f"{path}: cannot be read: {fault.strerror}") from None
+        files += [
+            one
+            for one in inside
+            if one.suffix.lower() in READERS
+            and not one.name.startswith(".")
+            and os.path.realpath(one) not in results
+        ]
     files = list(dict.fromkeys(files))
     if len(files) < 2:
         raise WrongUsage(f"batch: two files or more are needed, found {len(files)}")
     return files
 
 
-def _one(pair: tuple[Path, Path], settings: Settings) -> Document:
-    try:
-        return compare_files(pair, settings, lambda _stage, _fraction: None)[1]
-    except InputError as fault:
-        complain(str(fault))
-        return {
-            "inputs": [{"file": one_line(path)} for path in pair],
-            "error": one_line(str(fault)),
-        }
+def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> list[Document]:
+    """Compare each file with every later one; what fails is told once and kept as an error."""
+    surfaces: dict[Path, Surface] = {}
+    faults: dict[Path, str] = {}
+    told: set[str] = set()
+
+    def surface_of(path: Path) -> Surface:
+        """Read a file, a bad one only once."""
+        if path in faults:
+            raise InputError(faults[path])
+        if path not in surfaces:
+            try:
+                surfaces[path] = read(path, settings.unit)
+            except InputError as fault:
+                faults[path] = str(fault)
+                raise
+        return surfaces[path]
+
+    pairs = list(combinations(files, 2))
+    done: list[Document] = []
+    for number, (first, second) in enumerate(pairs):
+
+        def within(_stage: str, share: float, number: int = number) -> None:
+            progress(f"pair {number + 1} of {len(pairs)}", (number + share) / len(pairs))
+
+        within("read", 0.0)
+        try:
+            start = time.perf_counter()
+            both = surface_of(first), surface_of(second)
+            seconds = time.perf_counter() - start
+            done.append(compare_surfaces(both, settings, within, seconds)[1])
+        except (InputError, MemoryError) as fault:
+            error = str(fault) or f"{first} and {second}: not enough memory"
+            if error not in told:
+                complain(error)
+            told.add(error)
+            names = [{"file": one_line(path)} for path in (first, second)]
+            done.append({"inputs": names, "error": one_line(error)})
+        if sum(len(one.points) for one in surfaces.values()) > _KEPT:
+            surfaces = {first: surfaces[first]} if first in surfaces else {}
+    return done
 
 
 def _writer(path: Path, done: list[Document]) -> Any:

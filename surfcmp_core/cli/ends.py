@@ -3,7 +3,9 @@
 import functools
 import os
 import sys
+import traceback
 from collections.abc import Callable
+from pathlib import Path
 
 import typer
 
@@ -16,13 +18,18 @@ class WrongUsage(SurfcmpError):  # noqa: N818 - not a fault of the program
 
 
 def ending[**P](command: Callable[P, None]) -> Callable[P, None]:
-    """Turn what a command raises into its exit status and one line, never a traceback."""
+    """Turn what a command raises into its exit status and one line, not a traceback.
+
+    `python -X dev` shows the traceback of a fault of the program.
+    """
 
     @functools.wraps(command)
     def ended(*args: P.args, **kwargs: P.kwargs) -> None:
         try:
             command(*args, **kwargs)
             sys.stdout.flush()
+        except typer.Exit:
+            raise
         except WrongUsage as fault:
             complain(str(fault))
             raise typer.Exit(WRONG_USAGE) from None
@@ -36,8 +43,17 @@ def ending[**P](command: Callable[P, None]) -> Callable[P, None]:
             _forget_standard_output()
             raise typer.Exit(INTERRUPTED) from None
         except OSError as fault:
-            complain(f"standard output: {fault.strerror or fault}")
+            complain(f"{fault.filename or 'standard output'}: {fault.strerror or fault}")
             _forget_standard_output()
+            raise typer.Exit(CANNOT_COMPARE) from None
+        except Exception as fault:
+            if sys.flags.dev_mode:
+                raise
+            place = traceback.extract_tb(fault.__traceback__)[-1]
+            complain(
+                f"internal error, please report it: {type(fault).__name__}: {str(fault)[:200]} "
+                f"({Path(place.filename).name}, line {place.lineno})"
+            )
             raise typer.Exit(CANNOT_COMPARE) from None
 
     return ended

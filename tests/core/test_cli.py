@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -390,7 +391,7 @@ def _facts(capsys: pytest.CaptureFixture[str]) -> dict[str, str]:
 def test_info_tells_what_is_seen_of_a_closed_mesh(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    closed = mirrored_back(sheet(lambda x, y: -0.2 * x**2 - 0.1 * y**2, n=20), 0.1)
+    closed = mirrored_back(sheet(lambda x, y: 0.3 * np.cos(x) * np.cos(y), wide=1.3), 0.2)
     speck = closed.points[closed.faces[:1]].reshape(-1, 3) + np.array([0.0, 0.0, 0.5])
     points = np.concatenate((closed.points, speck, [[0.0, 0.0, 9.0]]))
     faces = np.concatenate((closed.faces, np.arange(3)[None] + len(closed.points)))
@@ -587,7 +588,7 @@ def test_batch_compares_all_pairs_and_goes_on_after_a_failure(
     arguments = [*pair, str(folder), "--out", str(outs[0]), "--out", str(outs[1])]
     assert main(["batch", *arguments]) == 3
     said = capsys.readouterr()
-    assert said.err.count("bad.xyz") == 2
+    assert said.err.count("bad.xyz") == 1
     assert said.out.count("failed") == 2
     assert "0.1000 mm" in said.out
     with outs[0].open(newline="", encoding="utf-8") as stream:
@@ -600,6 +601,79 @@ def test_batch_compares_all_pairs_and_goes_on_after_a_failure(
 
     assert main(["batch", *pair, "--quiet"]) == 0
     assert capsys.readouterr() == ("", "")
+
+
+def test_batch_reads_each_file_once_and_can_be_repeated(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from surfcmp_core.cli import batch
+
+    def counted(path: Path, unit: str | None) -> Surface:
+        taken.append(path.name)
+        return read_surface(path, unit=unit)
+
+    taken: list[str] = []
+    read_surface = surfcmp_core.read_surface
+    monkeypatch.setattr(batch, "read", counted)
+    (tmp_path / "three.xyz").write_text("0 0 0\n4 0 0\n4 4 0\n0 4 0\n")
+    (tmp_path / "bad.ply").write_text("nothing")
+    (tmp_path / "._one.xyz").write_text("what another system leaves")
+    command = ["batch", str(tmp_path), "--quiet", "--out", str(tmp_path / "table.csv")]
+    for _ in range(2):
+        assert main(command) == 3
+        (line,) = lines(capsys)
+        assert line.endswith("bad.ply: it does not begin with 'ply'")
+        assert sorted(taken) == ["bad.ply", "one.xyz", "three.xyz", "two.csv"]
+        taken.clear()
+    table = (tmp_path / "table.csv").read_text().splitlines()
+    assert len(table) == 1 + 6
+    assert sum("bad.ply: it does" in row for row in table) == 3
+
+    monkeypatch.setattr(batch, "_KEPT", 10)
+    assert main(command) == 3
+    assert [taken.count(name) for name in ("bad.ply", "one.xyz", "two.csv")] == [1, 1, 2]
+    assert main(["batch", str(tmp_path), str(tmp_path / "table.csv"), *command[2:]]) == 2
+
+
+def test_a_pair_without_memory_does_not_stop_the_others(
+    pair: tuple[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from surfcmp_core.cli import batch
+
+    def compared(surfaces: tuple[Surface, Surface], *rest: object) -> object:
+        if surfaces[1].name == "two.csv":
+            raise MemoryError
+        return compare_surfaces(surfaces, *rest)
+
+    compare_surfaces: Any = batch.compare_surfaces
+    monkeypatch.setattr(batch, "compare_surfaces", compared)
+    third = tmp_path / "three.xyz"
+    third.write_text(Path(pair[0]).read_text())
+    assert main(["batch", *pair, str(third)]) == 3
+    said = capsys.readouterr()
+    assert said.err == f"surfcmp: {pair[0]} and {pair[1]}: not enough memory\n"
+    assert said.out.count("failed") == 1
+
+
+def test_a_fault_of_the_program_is_one_line(
+    pair: tuple[str, str],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def faulty(*_: object) -> None:
+        raise ValueError("first\nsecond")
+
+    monkeypatch.setattr("surfcmp_core.cli.compare.compare_files", faulty)
+    assert main(["compare", *pair]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith("surfcmp: internal error, please report it: ValueError: first")
+    assert "(test_cli.py, line " in line
 
 
 def test_the_package_gives_what_is_asked_for() -> None:
