@@ -10,17 +10,24 @@ from surfcmp_core.triangulation.half_edges import following
 
 _FILTER = 8.0 * 2.0**-53
 
+_FAR = 2.0**1000
+"""Longer than any square."""
+
+_MOST_EDGES = 3
+"""A planar graph without double edges has less than so many for each of its nodes."""
+
 
 @inlined
 def _shorter(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
+    twin: NDArray[np.int32],
     g: int,
     g_square: float,
     h: int,
     h_square: float,
 ) -> bool:
-    """Whether edge g comes before h: exactly by length, then by number."""
+    """Whether the edge of half-edge g comes before that of h: exactly by length, then by number."""
     if abs(g_square - h_square) > _FILTER * (g_square + h_square):
         return g_square < h_square
     a, b, c, d = start[g], start[following(g)], start[h], start[following(h)]
@@ -34,7 +41,44 @@ def _shorter(
         nodes[d, 0],
         nodes[d, 1],
     )
-    return g < h if order == 0.0 else order < 0.0
+    return min(g, twin[g]) < min(h, twin[h]) if order == 0.0 else order < 0.0
+
+
+@kernel
+def _mark_longest(
+    nodes: NDArray[np.float64],
+    start: NDArray[np.int32],
+    twin: NDArray[np.int32],
+    real: int,
+    longest: NDArray[np.bool_],
+) -> None:
+    """Mark the half-edge of each triangle whose edge is its longest one."""
+    for t in range(0, 3 * real, 3):
+        a, b, c = start[t], start[t + 1], start[t + 2]
+        abx, aby = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
+        bcx, bcy = nodes[c, 0] - nodes[b, 0], nodes[c, 1] - nodes[b, 1]
+        cax, cay = nodes[a, 0] - nodes[c, 0], nodes[a, 1] - nodes[c, 1]
+        first = abx * abx + aby * aby
+        second = bcx * bcx + bcy * bcy
+        third = cax * cax + cay * cay
+        least = _FILTER * (first + second + third)
+        if (
+            (abs(first - second) > least)
+            & (abs(second - third) > least)
+            & (abs(third - first) > least)
+        ):
+            longest[t] = (first > second) & (first > third)
+            longest[t + 1] = (second > third) & (second > first)
+            longest[t + 2] = (third > first) & (third > second)
+            continue
+        h = t
+        square = first
+        if _shorter(nodes, start, twin, h, square, t + 1, second):
+            h, square = t + 1, second
+        if _shorter(nodes, start, twin, h, square, t + 2, third):
+            h = t + 2
+        for k in range(t, t + 3):
+            longest[k] = k == h
 
 
 @kernel
@@ -43,36 +87,21 @@ def _candidates(
     start: NDArray[np.int32],
     twin: NDArray[np.int32],
     real: int,
+    longest: NDArray[np.bool_],
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
 ) -> int:
     """Collect the edges that are not the longest of a triangle, which no tree contains."""
-    longest = np.zeros(3 * real, np.bool_)
-    square = np.empty(3)
-    edge = np.empty(3, np.int64)
-    for t in range(0, 3 * real, 3):
-        for i in range(3):
-            h = t + i
-            a, b = start[h], start[following(h)]
-            dx = nodes[a, 0] - nodes[b, 0]
-            dy = nodes[a, 1] - nodes[b, 1]
-            square[i] = dx * dx + dy * dy
-            edge[i] = min(h, twin[h])
-        k = 0
-        if _shorter(nodes, start, edge[0], square[0], edge[1], square[1]):
-            k = 1
-        if _shorter(nodes, start, edge[k], square[k], edge[2], square[2]):
-            k = 2
-        longest[edge[k]] = True
     count = 0
-    for h in range(3 * real):
-        if h < twin[h] and not longest[h]:
-            a, b = start[h], start[following(h)]
-            dx = nodes[a, 0] - nodes[b, 0]
-            dy = nodes[a, 1] - nodes[b, 1]
-            edges[count] = h
-            squares[count] = dx * dx + dy * dy
-            count += 1
+    for h in range(3 * real):  # without a branch, which nothing could foretell
+        k = twin[h]
+        edges[count] = h
+        count += (h < k) & ~(longest[h] | longest[k])
+    for place in range(count):
+        a, b = start[edges[place]], start[following(edges[place])]
+        dx = nodes[a, 0] - nodes[b, 0]
+        dy = nodes[a, 1] - nodes[b, 1]
+        squares[place] = dx * dx + dy * dy
     return count
 
 
@@ -88,6 +117,7 @@ def _root(parent: NDArray[np.int32], v: int) -> int:
 def _keep_shortest(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
+    twin: NDArray[np.int32],
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
     tail: NDArray[np.int32],
@@ -117,7 +147,7 @@ def _keep_shortest(
             stays[k] = True
         else:
             b = shortest[q]
-            if _shorter(nodes, start, edges[k], squares[k], edges[b], squares[b]):
+            if _shorter(nodes, start, twin, edges[k], squares[k], edges[b], squares[b]):
                 stays[b] = False
                 stays[k] = True
                 shortest[q] = k
@@ -136,14 +166,16 @@ def _keep_shortest(
 def _join(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
+    twin: NDArray[np.int32],
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
     tree: NDArray[np.int32],
 ) -> int:
     """Run Borůvka's rounds; each joins every part to another over its shortest edge.
 
-    After a round edges inside a part are gone, and of several between the same two parts only the
-    shortest stays: for a planar graph the work of all rounds is then linear in the nodes.
+    After a round edges inside a part are gone, and where more are left than a planar graph of so
+    many parts can have, of several between the same two parts only the shortest stays. So a round
+    is linear in its parts, of which each leaves at most half: all of them are linear in the nodes.
     """
     parts = nodes.shape[0]
     tail = np.empty(edges.size, np.int32)
@@ -155,11 +187,16 @@ def _join(
     found = 0
     while parts > 1 and live > 0:
         best = np.full(parts, -1, np.int32)
+        nearest = np.full(parts, _FAR)
         for k in range(live):
+            square = squares[k]
             for v in (tail[k], head[k]):
-                b = best[v]
-                if b < 0 or _shorter(nodes, start, edges[k], squares[k], edges[b], squares[b]):
-                    best[v] = k
+                b, before = best[v], nearest[v]
+                shorter = square < before
+                if not abs(square - before) > _FILTER * (square + before):
+                    shorter = _shorter(nodes, start, twin, edges[k], square, edges[b], before)
+                best[v] = k if shorter else b
+                nearest[v] = square if shorter else before
         parent = np.arange(parts).astype(np.int32)
         for v in range(parts):
             k = best[v]
@@ -189,7 +226,9 @@ def _join(
                 head[kept] = max(p, q)
                 kept += 1
         parts = joined
-        live = _keep_shortest(nodes, start, edges, squares, tail, head, kept, parts)
+        live = kept
+        if live > _MOST_EDGES * parts:  # several between the same two parts
+            live = _keep_shortest(nodes, start, twin, edges, squares, tail, head, live, parts)
     return found
 
 
@@ -214,14 +253,23 @@ def spanning_tree(triangulation: Triangulation) -> NDArray[np.int32]:
     Borůvka 1926; with clean-up linear for planar graphs (Cheriton and Tarjan 1976, the paper's
     [15]).
     """
-    start, real = triangulation.start, triangulation.real
+    nodes, start, twin = triangulation.nodes, triangulation.start, triangulation.twin
+    longest = np.zeros(len(start), np.bool_)
+    _mark_longest(nodes, start, twin, triangulation.real, longest)
     edges = np.empty(len(start) // 2 + 1, np.int32)
     squares = np.empty(len(edges))
-    count = _candidates(triangulation.nodes, start, triangulation.twin, real, edges, squares)
-    tree = np.empty(len(triangulation.nodes) - 1, np.int32)
-    found = _join(triangulation.nodes, start, edges[:count].copy(), squares[:count].copy(), tree)
+    count = _candidates(nodes, start, twin, triangulation.real, longest, edges, squares)
+    tree = np.empty(len(nodes) - 1, np.int32)
+    found = _join(nodes, start, twin, edges[:count], squares[:count], tree)
     assert found == len(tree), "a triangulation is connected"
     return tree
+
+
+@kernel
+def _ends(start: NDArray[np.int32], tree: NDArray[np.int32], ends: NDArray[np.int32]) -> None:
+    for k in range(tree.size):
+        ends[k, 0] = start[tree[k]]
+        ends[k, 1] = start[following(tree[k])]
 
 
 def tree_ends(triangulation: Triangulation, tree: NDArray[np.int32]) -> NDArray[np.int32]:
@@ -237,5 +285,6 @@ def tree_ends(triangulation: Triangulation, tree: NDArray[np.int32]) -> NDArray[
     -------
     (n - 1, 2) int32
     """
-    onward = np.where(tree % 3 == 2, tree - 2, tree + 1)
-    return np.stack((triangulation.start[tree], triangulation.start[onward]), axis=1)
+    ends = np.empty((len(tree), 2), np.int32)
+    _ends(triangulation.start, tree, ends)
+    return ends
