@@ -30,9 +30,9 @@ def preceding(h: int) -> int:
 
 @kernel
 def _order_by_lowest_node(
-    triangles: NDArray[np.int32], count: int, ordered: NDArray[np.int32]
+    triangles: NDArray[np.int32], count: int, start: NDArray[np.int32]
 ) -> None:
-    """Triangles sorted by their lowest node, each starting with it."""
+    """Sort triangles by their lowest node, each starting with it."""
     place = np.zeros(count + 1, np.int32)
     for t in range(triangles.shape[0]):
         place[min(triangles[t, 0], triangles[t, 1], triangles[t, 2]) + 1] += 1
@@ -44,22 +44,22 @@ def _order_by_lowest_node(
             a, b, c = b, c, a
         elif c < a and c < b:
             a, b, c = c, a, b
-        row = place[a]
+        h = 3 * place[a]
         place[a] += 1
-        ordered[row, 0] = a
-        ordered[row, 1] = b
-        ordered[row, 2] = c
+        start[h] = a
+        start[h + 1] = b
+        start[h + 2] = c
 
 
 @kernel
-def _match(start: NDArray[np.int32], count: int, twin: NDArray[np.int32]) -> int:
+def _match(start: NDArray[np.int32], real: int, count: int, twin: NDArray[np.int32]) -> int:
     """Find all twins, -1 on the border; return its length, -1 where an edge repeats.
 
     Half-edges that wait for their twin hang in a list at the lower of their two nodes; the links
     of the lists lie in `twin` itself.
     """
     waiting = np.full(count, -1, np.int32)
-    for h in range(start.size):
+    for h in range(3 * real):
         a = start[h]
         b = start[following(h)]
         low = min(a, b)
@@ -137,18 +137,17 @@ def half_edges(
     -------
     start, twin : (3 (m + h),) int32
         See the module; real triangles are renumbered after their lowest nodes. None where the
-        triangles do not form a surface with a simple border.
+        triangles do not form a disc with all nodes.
     """
     real = len(triangles)
-    ordered = np.empty((real, 3), np.int32)
-    _order_by_lowest_node(triangles, count, ordered)
-    twin = np.empty(3 * real, np.int32)
-    border = _match(ordered.reshape(-1), count, twin)
-    if border < 3:
+    hull = 2 * count - 2 - real  # Euler
+    if hull < 3:
         return None
-    start = np.concatenate((ordered.reshape(-1), np.empty(3 * border, np.int32)))
-    twin = np.concatenate((twin, np.empty(3 * border, np.int32)))
-    return (start, twin) if _add_ghosts(start, twin, real, count) else None
+    start, twin = np.empty(3 * (real + hull), np.int32), np.empty(3 * (real + hull), np.int32)
+    _order_by_lowest_node(triangles, count, start)
+    if _match(start, real, count, twin) != hull or not _add_ghosts(start, twin, real, count):
+        return None
+    return start, twin
 
 
 @kernel

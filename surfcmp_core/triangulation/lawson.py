@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
-from surfcmp_core.predicates import in_disc, orientation
+from surfcmp_core.kernel import inlined, kernel, wide
+from surfcmp_core.predicates import LENGTHS_FILTER, in_disc, orientation
 from surfcmp_core.stack import enlarged
 from surfcmp_core.triangulation.half_edges import following, preceding
 
@@ -69,6 +69,89 @@ def is_triangulation(
     return steps == hull and changes == 2
 
 
+_BATCH = 1024
+"""Half-edges of which those that stand for an edge are picked out at once."""
+
+
+@inlined
+def _is_surely_delaunay(nodes: NDArray[np.float64], a: int, b: int, c: int, d: int) -> bool:
+    """Whether d is out of the circle through a, b, c by more than rounding can feign."""
+    dx, dy = nodes[d, 0], nodes[d, 1]
+    ax, ay = nodes[a, 0] - dx, nodes[a, 1] - dy
+    bx, by = nodes[b, 0] - dx, nodes[b, 1] - dy
+    cx, cy = nodes[c, 0] - dx, nodes[c, 1] - dy
+    a_square, b_square, c_square = ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy
+    determinant = (
+        a_square * (bx * cy - cx * by)
+        + b_square * (cx * ay - ax * cy)
+        + c_square * (ax * by - bx * ay)
+    )
+    bound = LENGTHS_FILTER * (a_square * b_square + c_square * (a_square + b_square))
+    return bool(determinant < -bound)
+
+
+@kernel
+def _flip_around(
+    nodes: NDArray[np.float64],
+    start: NDArray[np.int32],
+    twin: NDArray[np.int32],
+    end: int,
+    stack: NDArray[np.int32],
+) -> tuple[NDArray[np.int32], int]:
+    """Flip the edge on the stack and then those around it that are no longer Delaunay.
+
+    Returns
+    -------
+    stack : (k,) int32
+        Perhaps with more room.
+    flips : int
+    """
+    flips = 0
+    depth = 1
+    while depth > 0:
+        depth -= 1
+        h = wide(stack[depth])
+        k = wide(twin[h])
+        if k >= end:
+            continue
+        # h: a -> b in triangle (a, b, c); its twin k: b -> a in triangle (b, a, d)
+        h_next = following(h)
+        h_last = preceding(h)
+        k_next = following(k)
+        k_last = preceding(k)
+        a, b, c, d = start[h], start[h_next], start[h_last], start[k_last]
+        if not in_disc(
+            nodes[a, 0],
+            nodes[a, 1],
+            nodes[b, 0],
+            nodes[b, 1],
+            nodes[c, 0],
+            nodes[c, 1],
+            nodes[d, 0],
+            nodes[d, 1],
+        ):
+            continue
+        flips += 1
+        start[h] = d
+        start[k] = c
+        over = twin[k_last]
+        twin[h] = over
+        twin[over] = h
+        over = twin[h_last]
+        twin[k] = over
+        twin[over] = k
+        twin[h_last] = k_last
+        twin[k_last] = h_last
+        if depth + 4 > stack.size:
+            stack = enlarged(stack)
+        stack[depth] = h
+        stack[depth + 1] = h_next
+        stack[depth + 2] = k
+        stack[depth + 3] = k_next
+        depth += 4
+    return stack, flips
+
+
 @kernel
 def make_delaunay(
     nodes: NDArray[np.float64], start: NDArray[np.int32], twin: NDArray[np.int32], real: int
@@ -94,51 +177,21 @@ def make_delaunay(
     """
     flips = 0
     stack = np.empty(64, np.int32)
+    queue = np.empty(_BATCH, np.int32)
     end = 3 * real
-    for seed in range(end):
-        if twin[seed] < seed:
-            continue
-        stack[0] = seed
-        depth = 1
-        while depth > 0:
-            depth -= 1
-            h = stack[depth]
-            k = twin[h]
-            if k >= end:
-                continue
-            # h: a -> b in triangle (a, b, c); its twin k: b -> a in triangle (b, a, d)
-            h_next = following(h)
-            h_last = preceding(h)
-            k_next = following(k)
-            k_last = preceding(k)
-            a, b, c, d = start[h], start[h_next], start[h_last], start[k_last]
-            if not in_disc(
-                nodes[a, 0],
-                nodes[a, 1],
-                nodes[b, 0],
-                nodes[b, 1],
-                nodes[c, 0],
-                nodes[c, 1],
-                nodes[d, 0],
-                nodes[d, 1],
+    for begin in range(0, end, _BATCH):
+        count = 0
+        for h in range(begin, min(begin + _BATCH, end)):  # without a branch nothing could foretell
+            queue[count] = h
+            count += (h < twin[h]) & (twin[h] < end)
+        for place in range(count):
+            h = wide(queue[place])
+            k = wide(twin[h])
+            if k < end and _is_surely_delaunay(
+                nodes, start[h], start[following(h)], start[preceding(h)], start[preceding(k)]
             ):
                 continue
-            flips += 1
-            start[h] = d
-            start[k] = c
-            over = twin[k_last]
-            twin[h] = over
-            twin[over] = h
-            over = twin[h_last]
-            twin[k] = over
-            twin[over] = k
-            twin[h_last] = k_last
-            twin[k_last] = h_last
-            if depth + 4 > stack.size:
-                stack = enlarged(stack)
-            stack[depth] = h
-            stack[depth + 1] = h_next
-            stack[depth + 2] = k
-            stack[depth + 3] = k_next
-            depth += 4
+            stack[0] = h
+            stack, flipped = _flip_around(nodes, start, twin, end, stack)
+            flips += flipped
     return flips

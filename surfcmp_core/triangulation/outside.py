@@ -6,6 +6,8 @@ from answering and the other grid from being triangulated meanwhile.
 
 import subprocess
 import sys
+from io import BufferedReader, BufferedWriter
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +19,11 @@ _PROGRAM = """
 import sys
 import numpy as np
 from triangular import delaunay
-nodes = np.frombuffer(sys.stdin.buffer.read()).reshape(-1, 2)
-sys.stdout.buffer.write(np.ascontiguousarray(delaunay(nodes), np.int32))
+nodes = np.empty((int(sys.argv[1]), 2))
+sys.stdin.buffer.readinto(nodes.data.cast("B"))
+triangles = np.ascontiguousarray(delaunay(nodes), np.int32)
+sys.stdout.buffer.write(len(triangles).to_bytes(8, "little"))
+sys.stdout.buffer.write(triangles)
 """
 
 
@@ -36,14 +41,17 @@ def delaunay_outside(nodes: NDArray[np.float64]) -> NDArray[np.int32] | None:
     """
     if not sys.executable:
         return None
+    command = [sys.executable, "-c", _PROGRAM, str(len(nodes))]
     try:
-        done = subprocess.run(
-            [sys.executable, "-c", _PROGRAM],
-            input=np.ascontiguousarray(nodes).data.cast("B"),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            check=True,
-        )
-    except (OSError, subprocess.CalledProcessError):
+        with subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+        ) as child:
+            with cast(BufferedWriter, child.stdin) as to_child:
+                to_child.write(np.ascontiguousarray(nodes).data)
+            from_child = cast(BufferedReader, child.stdout)
+            count = int.from_bytes(from_child.read(8), "little")
+            flat = np.empty(3 * count, np.int32)
+            whole = count > 0 and from_child.readinto(flat.data) == flat.nbytes
+    except OSError:
         return None
-    return np.frombuffer(bytearray(done.stdout), np.int32).reshape(-1, 3)
+    return flat.reshape(-1, 3) if whole and child.returncode == 0 else None
