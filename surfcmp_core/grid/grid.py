@@ -71,7 +71,7 @@ def _runs(
 ) -> int:
     """Make `order`, sorted by key, lexicographic within a key; find where equal nodes start.
 
-    Within a key, the order of equal nodes stays.
+    Equal nodes come in the order of the input.
     """
     count = 0
     begin = 0
@@ -83,11 +83,14 @@ def _runs(
             moving = order[i]
             x, y = nodes[moving, 0], nodes[moving, 1]
             j = i
-            while j > begin and (
-                nodes[order[j - 1], 0] > x
-                or (nodes[order[j - 1], 0] == x and nodes[order[j - 1], 1] > y)
-            ):
-                order[j] = order[j - 1]
+            while j > begin:
+                other = order[j - 1]
+                if nodes[other, 0] < x or (
+                    nodes[other, 0] == x
+                    and (nodes[other, 1] < y or (nodes[other, 1] == y and other < moving))
+                ):
+                    break
+                order[j] = other
                 j -= 1
             order[j] = moving
         for i in range(begin, end):
@@ -156,7 +159,7 @@ def grid_of(
     if box is None:
         box = box_of(surface)
     keys = curve_keys(nodes, box)
-    order = np.argsort(keys, kind="stable")
+    order = np.argsort(keys)
     if _longest_run(keys, order) > _CROWDED:  # one node far away puts all others into one cell
         order = np.lexsort((nodes[:, 1], nodes[:, 0], keys))
     starts = np.empty(len(order), np.int64)

@@ -67,17 +67,28 @@ def _assemble(
 ) -> int:
     """Write the clouts' triangles, then the chains'; return the number of the former."""
     count = 0
-    for h in range(0, words.size, WORDS):
-        if words[h + MARKS] & PASSED == 0 and words[h + 2] >= 0:
-            triangles[count, 0] = words[h]
-            triangles[count, 1] = words[h + 1]
-            triangles[count, 2] = words[h + 2]
-            count += 1
+    last = triangles.shape[0] - 1
+    for h in range(0, words.size, WORDS):  # without a branch, which nothing could foretell
+        place = min(count, last)
+        triangles[place, 0] = words[h]
+        triangles[place, 1] = words[h + 1]
+        triangles[place, 2] = words[h + 2]
+        count += (words[h + MARKS] & PASSED == 0) & (words[h + 2] >= 0)
     for k in range(base.size):
         triangles[count + k, 0] = words[base[k]]
         triangles[count + k, 1] = words[following(base[k])]
         triangles[count + k, 2] = apex[k]
     return count
+
+
+@kernel
+def _origins(
+    triangles: NDArray[np.int32], label: NDArray[np.uint8], origin: NDArray[np.uint8]
+) -> None:
+    # an empty disc of T is empty of each grid: all nodes in one grid make it a triangle there
+    for t in range(len(triangles)):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        origin[t] = label[a] & label[b] & label[c]
 
 
 def _merged(joined: Joined, chains: Chains) -> tuple[NDArray[np.int32], int]:
@@ -191,7 +202,8 @@ def unite(
         triangles = np.concatenate((whole.triangles[rest], whole.triangles[order]))
         lengths = np.diff(starts)
 
-    a, b, c = (label[triangles[:, i]] for i in range(3))
+    origin = np.empty(len(triangles), np.uint8)
+    _origins(triangles, label, origin)
     chain = np.full(len(triangles), -1, np.int32)
     chain[clouts:] = np.repeat(np.arange(len(closed), dtype=np.int32), lengths)
     return United(
@@ -200,8 +212,7 @@ def unite(
         node_1,
         node_2,
         triangles,
-        # an empty disc of T is empty of each grid: all nodes in one grid make it a triangle there
-        a & b & c,
+        origin,
         chain,
         closed,
         tree_ends(first, tree_1),
