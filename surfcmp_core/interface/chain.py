@@ -8,7 +8,7 @@ is computed anew while a bundle turns.
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.interface.disc import DISC_FILTER, disc_holds
+from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import N_TESTS, Event, Events, note
 from surfcmp_core.interface.joined import (
     MARKS,
@@ -19,7 +19,7 @@ from surfcmp_core.interface.joined import (
     preceding,
 )
 from surfcmp_core.kernel import inlined, kernel, wide
-from surfcmp_core.predicates import in_disc
+from surfcmp_core.predicates import LENGTHS_FILTER, in_disc
 
 N_TRIANGLES = 0
 """Place among the counters of the number of triangles emitted."""
@@ -140,7 +140,7 @@ def trace_chain(
                 determinant = (
                     a_square * (ux * wy - wx * uy) + u_square * w_cross_a + w_square * a_cross_u
                 )
-                bound = DISC_FILTER * (a_square * u_square + w_square * (a_square + u_square))
+                bound = LENGTHS_FILTER * (a_square * u_square + w_square * (a_square + u_square))
                 if determinant < -bound:
                     break
                 if determinant <= bound and not _in_disc_exactly(nodes, A, A1, W, B):
@@ -176,7 +176,7 @@ def trace_chain(
                 determinant = (
                     a_square * (wx * uy - ux * wy) + w_square * u_cross_b + v_square * b_cross_w
                 )
-                bound = DISC_FILTER * (a_square * v_square + w_square * (a_square + v_square))
+                bound = LENGTHS_FILTER * (a_square * v_square + w_square * (a_square + v_square))
                 if determinant < -bound:
                     break
                 if determinant <= bound and not _in_disc_exactly(nodes, B, W, B1, A):
@@ -207,7 +207,7 @@ def trace_chain(
                 + w_square * (ux * ay - ax * uy)
                 + u_square * (ax * wy - wx * ay)
             )
-            bound = DISC_FILTER * (a_square * w_square + u_square * (a_square + w_square))
+            bound = LENGTHS_FILTER * (a_square * w_square + u_square * (a_square + w_square))
             if determinant > bound:
                 take_A = True
             elif determinant >= -bound:

@@ -6,12 +6,6 @@ from numpy.typing import NDArray
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import in_disc, orientation
 
-_EPSILON = 2.0**-53
-DISC_FILTER = 1.001 * (10.0 + 96.0 * _EPSILON) * _EPSILON
-"""Shewchuk's bound on the rounding error of an in-circle determinant, for a permanent that is
-itself bounded: by |u × v| ≤ |u| |v| and the inequality of the means, the permanent of three
-squared lengths k, l, m is at most k l + l m + m k."""
-
 
 @kernel
 def disc_holds(nodes: NDArray[np.float64], words: NDArray[np.int32], h: int, node: int) -> bool:

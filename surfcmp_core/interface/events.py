@@ -30,9 +30,9 @@ class Event(IntEnum):
     BRIDGE_DONE = 8
     """The free node has been traced meanwhile: that node, the bridge's other end."""
     WALK = 9
-    """The walk towards a free node comes to a triangle: its first word, the free node."""
+    """The search from a bridge comes to a node behind its free node: that free node, the node."""
     DISC = 10
-    """A triangle's disc holds the free node: its first word, the free node."""
+    """A triangle at the starter's other end is destroyed: its first word, the free node."""
 
 
 Events = NDArray[np.int32] | None
@@ -41,7 +41,7 @@ Events = NDArray[np.int32] | None
 N_EVENTS = 4
 """Place of the number of events among the counters."""
 N_TESTS = 5
-"""Place of the number of discs tested."""
+"""Place of the number of discs and circles tested."""
 
 
 @inlined

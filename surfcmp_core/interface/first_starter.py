@@ -67,7 +67,11 @@ def first_starter(
         note(events, counters, _CIRCLE, v, d)
     for k in range(begin, end):
         if ux < vx:
-            better = nodes[k, 0] < vx and k != d and is_better(nodes, vx, vy, ux, vy, d, k)
+            better = (
+                nodes[k, 0] < vx
+                and k != d
+                and is_better(vx, vy, ux, vy, nodes[d, 0], nodes[d, 1], nodes[k, 0], nodes[k, 1])
+            )
         else:
             better = nodes[k, 0] == vx and nodes[d, 1] < nodes[k, 1] < vy
         if better:

@@ -6,49 +6,14 @@ from numpy.typing import NDArray
 from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import N_TESTS, Event, Events, note
 from surfcmp_core.interface.joined import TWIN, first_of, following, preceding
-from surfcmp_core.interface.smallest_circle import is_better
+from surfcmp_core.interface.smallest_circle import leads_on
 from surfcmp_core.kernel import kernel, wide
-from surfcmp_core.predicates import orientation
-from surfcmp_core.stack import enlarged
+from surfcmp_core.predicates import orientation, scalar_product
 
 _CIRCLE, _WALK, _DISC = int(Event.CIRCLE), int(Event.WALK), int(Event.DISC)
 
-
-@kernel
-def _walk_to_disc(
-    nodes: NDArray[np.float64],
-    words: NDArray[np.int32],
-    corner: int,
-    v: int,
-    events: Events,
-    counters: NDArray[np.int64],
-) -> int:
-    """Walk from the triangle of a corner to one whose disc holds v; step (a)."""
-    px, py = nodes[v, 0], nodes[v, 1]
-    h = first_of(corner)
-    while not disc_holds(nodes, words, h, v):
-        if events is not None:
-            counters[N_TESTS] += 1
-            note(events, counters, _WALK, h, v)
-        if words[h + 2] < 0:
-            a, b = words[h], words[h + 1]
-            ax, ay = nodes[a, 0], nodes[a, 1]
-            bx, by = nodes[b, 0], nodes[b, 1]
-            if orientation(ax, ay, bx, by, px, py) < 0.0:
-                onward = words[h + TWIN]
-            elif (bx - ax) * (px - bx) > 0.0 or (by - ay) * (py - by) > 0.0:
-                onward = words[h + 1 + TWIN]  # collinear, beyond b: step along the hull
-            else:
-                onward = words[h + 2 + TWIN]
-        else:
-            onward = words[h + TWIN]
-            for k in range(h, h + 3):
-                a, b = words[k], words[following(k)]
-                if orientation(nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1], px, py) < 0.0:
-                    onward = words[k + TWIN]
-                    break
-        h = first_of(wide(onward))
-    return h
+_CIRCLE_FILTER = 16.0 * 2.0**-53
+"""As in the comparison of two tangent circles."""
 
 
 @kernel
@@ -81,49 +46,69 @@ def next_starter(
 
     Notes
     -----
-    The triangles whose discs hold v (step (b)) are connected and have no node inside, so the flood
-    over them meets each once. The smallest circle through v and one of their nodes (step (d)) lies
-    within the influence circle of the bridge (step (c)): it is empty of both grids.
+    The paper collects the nodes of all triangles whose circles hold v and takes the one with the
+    smallest circle through v centred on the bridge. To meet that node none has to be collected:
+    where the circle of a node d holds a node of d's grid, it holds a neighbour of d, for the
+    largest empty circle inside that touches it at d passes through one. So the search steps from
+    neighbour to neighbour while the circle shrinks, and ends at the smallest. It lies within the
+    influence circle of the bridge (step (c)), so it is empty of both grids.
     """
     v, u = wide(words[bridge]), wide(words[following(bridge)])
     vx, vy = nodes[v, 0], nodes[v, 1]
     ux, uy = nodes[u, 0], nodes[u, 1]
-    h = _walk_to_disc(nodes, words, other_corner, v, events, counters)
+    wx, wy = ux - vx, uy - vy
+    h = wide(other_corner)
+    while True:
+        # everything relative to v; along: the ray v→u
+        d = wide(words[h])
+        dx, dy = nodes[d, 0], nodes[d, 1]
+        ax, ay = dx - vx, dy - vy
+        a_square = ax * ax + ay * ay
+        a_along, a_bound = ax * wx + ay * wy, abs(ax * wx) + abs(ay * wy)
+        # (a) search along the bridge: step forward from behind v ...
+        ahead = scalar_product(vx, vy, dx, dy, vx, vy, ux, uy) > 0.0
+        if events is not None:
+            note(events, counters, _CIRCLE if ahead else _WALK, v, d)
+        k, before = h, h
+        facing = wide(-1)
+        left = False
+        found = False
+        while True:
+            e = wide(words[np.uintp(following(k))])
+            if e >= 0:
+                # ... (d) then to nodes whose circles are smaller
+                if events is not None:
+                    counters[N_TESTS] += 1
+                ex, ey = nodes[np.uintp(e), 0], nodes[np.uintp(e), 1]
+                bx, by = ex - vx, ey - vy
+                b_square = bx * bx + by * by
+                gain = a_square * (bx * wx + by * wy) - b_square * a_along
+                bound = _CIRCLE_FILTER * (
+                    a_square * (abs(bx * wx) + abs(by * wy)) + b_square * a_bound
+                )
+                if ahead and abs(gain) > bound:
+                    found = gain > 0.0
+                else:
+                    found = leads_on(vx, vy, ux, uy, dx, dy, ex, ey)
+                if found:
+                    break
+                # v lies between an edge that has it to the left and the next one
+                on_left = ax * by > ay * bx
+                if left and not on_left:
+                    facing = before
+                left = on_left
+            before = k
+            k = wide(words[np.uintp(preceding(k) + TWIN)])
+            if k == h:
+                break
+        if not found:
+            break
+        h = following(k)
+    # (b) the triangle at d that faces v is destroyed by it, or where rounding misled another one
+    h = before if facing < 0 else facing
+    while not disc_holds(nodes, words, h, v):
+        h = wide(words[preceding(h) + TWIN])
     if events is not None:
-        note(events, counters, _DISC, h, v)
-    stack = np.empty(64, np.int32)
-    depth = 0
-    best = wide(-1)
-    corner = wide(-1)
-    for k in range(h, h + 3):
-        d = wide(words[k])
-        if d >= 0 and (best < 0 or is_better(nodes, vx, vy, ux, uy, best, d)):
-            best = d
-            corner = k
-            if events is not None:
-                note(events, counters, _CIRCLE, v, d)
-        stack[depth] = words[k + TWIN]
-        depth += 1
-    while depth > 0:
-        depth -= 1
-        h = wide(stack[depth])
-        if events is not None:
-            counters[N_TESTS] += 1
-        if not disc_holds(nodes, words, h, v):
-            continue
-        if events is not None:
-            note(events, counters, _DISC, first_of(h), v)
-        k = preceding(h)
-        d = wide(words[k])
-        if d >= 0 and is_better(nodes, vx, vy, ux, uy, best, d):
-            best = d
-            corner = k
-            if events is not None:
-                note(events, counters, _CIRCLE, v, d)
-        if depth + 2 > stack.size:
-            stack = enlarged(stack)
-        stack[depth] = words[k + TWIN]
-        stack[depth + 1] = words[following(h) + TWIN]
-        depth += 2
-    on_left = orientation(vx, vy, ux, uy, nodes[best, 0], nodes[best, 1]) >= 0.0
-    return (bridge if on_left else following(words[bridge + TWIN])), corner
+        note(events, counters, _DISC, first_of(h), v)
+    side = orientation(vx, vy, ux, uy, dx, dy)
+    return (bridge if side >= 0.0 else following(wide(words[bridge + TWIN]))), h

@@ -1,10 +1,7 @@
 """Choice of the node that gives the smallest circle touching at v: the paper's step (d)."""
 
-import numpy as np
-from numpy.typing import NDArray
-
 from surfcmp_core.kernel import kernel
-from surfcmp_core.predicates import compare_tangent_circles, orientation
+from surfcmp_core.predicates import compare_tangent_circles, orientation, scalar_product
 
 
 @kernel
@@ -24,16 +21,24 @@ def _is_outer(
 
 @kernel
 def is_better(
-    nodes: NDArray[np.float64], vx: float, vy: float, ux: float, uy: float, best: int, d: int
+    vx: float, vy: float, ux: float, uy: float, ax: float, ay: float, bx: float, by: float
 ) -> bool:
-    """Whether d gives a smaller circle through v, centred on the ray v→u, than `best` does.
+    """Whether b gives a smaller circle through v, centred on the ray v→u, than a does.
 
     Of nodes on one circle the outermost on one side of the ray is wanted: only neighbours along
     an empty circle are sure to be joined by an edge.
     """
-    ax, ay = nodes[best, 0], nodes[best, 1]
-    bx, by = nodes[d, 0], nodes[d, 1]
     order = compare_tangent_circles(vx, vy, ux, uy, ax, ay, bx, by)
     if order != 0.0:
         return order > 0.0
     return _is_outer(vx, vy, ux, uy, ax, ay, bx, by)
+
+
+@kernel
+def leads_on(
+    vx: float, vy: float, ux: float, uy: float, ax: float, ay: float, bx: float, by: float
+) -> bool:
+    """Whether b is better than a; where a lies behind v, seen along v→u: whether b is farther."""
+    if scalar_product(vx, vy, ax, ay, vx, vy, ux, uy) > 0.0:
+        return is_better(vx, vy, ux, uy, ax, ay, bx, by)
+    return scalar_product(ax, ay, bx, by, vx, vy, ux, uy) > 0.0

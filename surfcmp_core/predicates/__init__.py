@@ -6,9 +6,18 @@ are broken by the coordinates alone, so that the Delaunay triangulation of a set
 is unique.
 """
 
-from surfcmp_core.predicates.in_circle import in_circle, in_disc
+from surfcmp_core.predicates.in_circle import LENGTHS_FILTER, in_circle, in_disc
 from surfcmp_core.predicates.lengths import compare_lengths
 from surfcmp_core.predicates.orientation import orientation
+from surfcmp_core.predicates.scalar_product import scalar_product
 from surfcmp_core.predicates.tangent_circles import compare_tangent_circles
 
-__all__ = ["compare_lengths", "compare_tangent_circles", "in_circle", "in_disc", "orientation"]
+__all__ = [
+    "LENGTHS_FILTER",
+    "compare_lengths",
+    "compare_tangent_circles",
+    "in_circle",
+    "in_disc",
+    "orientation",
+    "scalar_product",
+]

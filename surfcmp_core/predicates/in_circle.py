@@ -7,6 +7,11 @@ from surfcmp_core.predicates.orientation import orientation
 _EPSILON = 2.0**-53
 _FILTER = (10.0 + 96.0 * _EPSILON) * _EPSILON
 
+LENGTHS_FILTER = 1.001 * _FILTER
+"""The same bound on the rounding error of an in-circle determinant, for a permanent that is itself
+bounded: by |u × v| ≤ |u| |v| and the inequality of the means, the permanent of three squared
+lengths k, l, m is at most k l + l m + m k."""
+
 
 @kernel
 def _in_circle_exact(

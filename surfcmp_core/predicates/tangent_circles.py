@@ -1,21 +1,10 @@
 """Which of two circles that touch each other at a node is smaller."""
 
 from surfcmp_core.kernel import kernel
-from surfcmp_core.predicates.expansion import (
-    Expansion,
-    add,
-    difference,
-    leading,
-    multiply,
-    subtract,
-)
+from surfcmp_core.predicates.expansion import difference, leading, multiply, subtract
+from surfcmp_core.predicates.scalar_product import exact_scalar_product
 
 _FILTER = 16.0 * 2.0**-53
-
-
-@kernel
-def _dot_exact(ax: Expansion, ay: Expansion, bx: Expansion, by: Expansion) -> Expansion:
-    return add(multiply(ax, bx), multiply(ay, by))
 
 
 @kernel
@@ -28,8 +17,12 @@ def _compare_exact(
     ady = difference(ay, vy)
     bdx = difference(bx, vx)
     bdy = difference(by, vy)
-    first = multiply(_dot_exact(adx, ady, adx, ady), _dot_exact(bdx, bdy, wx, wy))
-    second = multiply(_dot_exact(bdx, bdy, bdx, bdy), _dot_exact(adx, ady, wx, wy))
+    first = multiply(
+        exact_scalar_product(adx, ady, adx, ady), exact_scalar_product(bdx, bdy, wx, wy)
+    )
+    second = multiply(
+        exact_scalar_product(bdx, bdy, bdx, bdy), exact_scalar_product(adx, ady, wx, wy)
+    )
     return leading(subtract(first, second))
 
 

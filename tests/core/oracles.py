@@ -52,6 +52,10 @@ def compare_lengths(ax: Any, ay: Any, bx: Any, by: Any, cx: Any, cy: Any, dx: An
     return (ax - bx) ** 2 + (ay - by) ** 2 - (cx - dx) ** 2 - (cy - dy) ** 2
 
 
+def scalar_product(ax: Any, ay: Any, bx: Any, by: Any, cx: Any, cy: Any, dx: Any, dy: Any) -> Any:
+    return (bx - ax) * (dx - cx) + (by - ay) * (dy - cy)
+
+
 def compare_tangent_circles(
     vx: Any, vy: Any, ux: Any, uy: Any, ax: Any, ay: Any, bx: Any, by: Any
 ) -> Any:

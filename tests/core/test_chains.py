@@ -1,6 +1,8 @@
 """Chains of interface triangles: known pictures, and the record of how they were traced."""
 
 from collections import Counter
+from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
+from tests.core import oracles
 from tests.invariants import check_pair, merge
 from tests.pairs import Nodes, Pair, pair_of
 
@@ -203,10 +206,45 @@ def _check_record(chains: Chains, pair: Pair) -> None:
         assert (events[kind] < len(nodes)).all()
 
 
-def test_work_grows_as_the_nodes() -> None:
-    rng = np.random.default_rng(3)
+def test_next_starter_is_the_smallest_circle_on_its_bridge() -> None:
+    asked = 0
+    for family, seed in product(FAMILIES, range(12)):
+        pair = _without_shared(family, seed)
+        if pair is None:
+            continue
+        _, chains = _recorded(pair)
+        nodes = oracles.exact(np.concatenate((pair.first, pair.second)))
+        events = chains.events.tolist()
+        taken = [k for k, event in enumerate(events) if event[0] == Event.BRIDGE_TAKEN]
+        for k in taken:
+            v, u = events[k][1:3]
+            starter = next(event for event in events[k:] if event[0] == Event.STARTER)
+            assert v in starter[1:3]
+            d = starter[1] if starter[2] == v else starter[2]
+            others = nodes[len(pair.first) :] if v < len(pair.first) else nodes[: len(pair.first)]
+            ahead = others[((others - nodes[v]) * (nodes[u] - nodes[v])).sum(axis=1) > 0]
+            smaller = oracles.compare_tangent_circles(*nodes[v], *nodes[u], *nodes[d], *ahead.T)
+            assert (smaller <= 0).all()
+            asked += 1
+    assert asked > 100
+
+
+def _star(count: int) -> Pair:
+    """Nodes of either grid in turn around one of them, which all of the others see."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 2 * count, endpoint=False)
+    ring = np.column_stack((np.cos(angle), np.sin(angle)))
+    ring *= 1.0 + 0.01 / count * np.random.default_rng(count).random((2 * count, 1))
+    return Pair("star", ring[::2], np.concatenate((ring[1::2], 1.5 * ring[1::2], [[1e-3, 2e-3]])))
+
+
+@pytest.mark.parametrize(
+    "pair_of_size",
+    [lambda n: Pair("uniform", *np.random.default_rng(3).random((2, n, 2))), _star],
+    ids=["uniform", "star"],
+)
+def test_work_grows_as_the_nodes(pair_of_size: Callable[[int], Pair]) -> None:
     for_each = []
     for n in (500, 1000, 2000, 4000, 8000):
-        _, chains = _recorded(Pair("uniform", *rng.random((2, n, 2))))
+        _, chains = _recorded(pair_of_size(n))
         for_each.append(chains.events[-1, 3] / n)
-    assert max(for_each) < 1.2 * min(for_each)
+    assert max(for_each) < 1.2 * for_each[0]

@@ -20,6 +20,7 @@ from surfcmp_core.predicates import (
     in_circle,
     in_disc,
     orientation,
+    scalar_product,
 )
 from tests.core import oracles
 from tests.core.predicate_cases import COMPILED, Cases, blocks, whole_range
@@ -29,6 +30,7 @@ PREDICATES: dict[str, tuple[Callable[..., float], Callable[..., Any], int]] = {
     "in_circle": (in_circle, oracles.in_circle, 4),
     "compare_lengths": (compare_lengths, oracles.compare_lengths, 4),
     "compare_tangent_circles": (compare_tangent_circles, oracles.compare_tangent_circles, 4),
+    "scalar_product": (scalar_product, oracles.scalar_product, 4),
 }
 
 Four = list[oracles.Place]
@@ -164,4 +166,4 @@ def test_signs_are_exact_interpreted() -> None:
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "10 passed" in done.stdout
+    assert "12 passed" in done.stdout

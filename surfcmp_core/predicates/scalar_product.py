@@ -1,0 +1,46 @@
+"""Whether one edge leads along another or against it."""
+
+from surfcmp_core.kernel import kernel
+from surfcmp_core.predicates.expansion import Expansion, add, difference, leading, multiply
+
+_FILTER = 8.0 * 2.0**-53
+
+
+@kernel
+def exact_scalar_product(ax: Expansion, ay: Expansion, bx: Expansion, by: Expansion) -> Expansion:
+    """Multiply two vectors, given by their exact components."""
+    return add(multiply(ax, bx), multiply(ay, by))
+
+
+@kernel
+def _scalar_product_exact(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> float:
+    return leading(
+        exact_scalar_product(
+            difference(bx, ax), difference(by, ay), difference(dx, cx), difference(dy, cy)
+        )
+    )
+
+
+@kernel
+def scalar_product(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> float:
+    """Scalar product of ab and cd, exact in sign.
+
+    Parameters
+    ----------
+    ax, ay, bx, by, cx, cy, dx, dy : float
+        Ends of the two edges.
+
+    Returns
+    -------
+    float
+        Positive where they lead the same way, negative where against each other, 0 at right angles.
+    """
+    first = (bx - ax) * (dx - cx)
+    second = (by - ay) * (dy - cy)
+    if abs(first + second) > _FILTER * (abs(first) + abs(second)):
+        return first + second
+    return _scalar_product_exact(ax, ay, bx, by, cx, cy, dx, dy)
