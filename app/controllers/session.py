@@ -74,9 +74,11 @@ class Session(QObject):
             kept = replace(kept, probes=(), section=None)
         if document.paths != old.document.paths:
             kept, self._restores = replace(kept, landmarks=()), False
-        if document != old.document and self._push(Step(document, kept)):
+        if document == old.document:
+            self._display.change(**view)
+        elif self._push(Step(document, kept)):
+            self._follow(view)
             self._run()
-        self._display.change(**view)
 
     def restore(self, document: Document, state: ViewState) -> None:
         """Put a document in force that was looked at in this way."""
@@ -124,6 +126,8 @@ class Session(QObject):
             self.runner.start(lambda progress: compared(document, before, progress))
         elif self._restores:
             self._restore(self.history.current.view)
+        elif self.shown is not None:
+            self.history.amend(self._display.state.kept)
         self.changed.emit()
 
     def _finish(self, result: Compared) -> None:
@@ -135,6 +139,7 @@ class Session(QObject):
         if self._restores:
             self._restore(view)
         self._follows = False
+        self.history.amend(self._display.state.kept)
         self.changed.emit()
 
     def _restore(self, view: ViewState) -> None:
@@ -146,6 +151,10 @@ class Session(QObject):
             state = state.within(len(self.shown.comparison.united.triangles))
         changes = {name: getattr(state, name) for name in ViewState.__slots__}
         del changes["dark"], changes["filled"]
+        self._follow(changes)
+
+    def _follow(self, changes: dict[str, Any]) -> None:
+        """Change the view as a part of the current step."""
         follows, self._follows = self._follows, True
         self._display.change(**changes)
         self._follows = follows
@@ -162,10 +171,8 @@ class Session(QObject):
         else:
             document = self.shown.document
             self.history.go_to(document)
-            self._follows = True
             scale = self._display.state.scale
             tolerances = document.options.tolerances
-            self._display.change(scale=replace(scale, tolerances=tolerances))
-            self._follows = False
+            self._follow({"scale": replace(scale, tolerances=tolerances)})
             self._push(Step(document, self._display.state.kept))
         self.changed.emit()

@@ -45,6 +45,9 @@ class Sessions(QObject):
 
     def ask_save(self) -> None:
         """Ask where to, and whether with the scans, and save the session."""
+        if not self._window.session.document.complete:
+            self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
+            return
         paths = self._window.session.document.paths
         size = sum(path.stat().st_size for path in paths if path is not None and path.is_file())
         text = self.tr("Session with its scans, {:.1f} MB (*{})").format(size / 1e6, ENDING)
@@ -60,6 +63,9 @@ class Sessions(QObject):
     def save(self, path: Path, *, embed: bool = True) -> None:
         """Save the session beside the window, completely or not at all."""
         document, state = self._window.session.document, self._window.display.state
+        if not document.complete:
+            self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
+            return
         work = partial(save_session, path, document, state, self._hashes(), embed)
         self.saving.start(work)
 
@@ -116,6 +122,10 @@ class Sessions(QObject):
     def _opened(self, opened: Opened) -> None:
         if opened.fault is not None:
             self._ask_for_scan(opened.path, opened.fault)
+            return
+        if not opened.document.complete:
+            text = self.tr("{}: there are no two surfaces in it").format(opened.path.name)
+            self._window.banner.tell(text)
             return
         self._adopt(opened.document.paths)
         self._window.banner.hide()

@@ -21,6 +21,8 @@ from tests.window.conftest import PATIENCE
 STEPS = int(os.environ.get("SURFCMP_WALK", "300"))
 """How far to walk; `SURFCMP_WALK=2000` walks as far as one does before a release."""
 
+SEED = int(os.environ.get("SURFCMP_SEED", "11"))
+
 
 def check(window: MainWindow) -> None:
     """What is shown, the document, the view and the history must belong together."""
@@ -43,7 +45,7 @@ def check(window: MainWindow) -> None:
 
 @pytest.mark.timeout(1800)
 def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot):
-    chance = random.Random(11)
+    chance = random.Random(SEED)
     session, display = window.session, window.display
     bad = tmp_path / "bad.ply"
     bad.write_text("no")
@@ -77,6 +79,10 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         if session.shown is not None:
             place = session.shown.content.geometry.origin + np.array([*spot(), chance.random()])
             window.alignment_of.add_landmark(chance.choice([1, 2]), place)
+
+    def settle() -> None:
+        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        check(window)
 
     def option() -> None:
         panel = window.options
@@ -142,6 +148,7 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         lambda: window.chains.model.rowCount() and window.showing._fly(0),
         lambda: chance.choice(window.docks).setVisible(chance.random() < 0.7),
         lambda: qtbot.wait(chance.choice([1, 10, 60])),
+        *[settle] * 8,
     ]
     session.failed.connect(errors.append)
     with capture_exceptions() as exceptions:
