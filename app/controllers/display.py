@@ -67,6 +67,8 @@ class Display(QObject):
         self._studio: Studio | None = None
         self.state = ViewState()
         self.content: Content | None = None
+        self.unit = ""
+        """Of the labels' values."""
         self._camera = self._seen = Camera()
         self._flight = QVariantAnimation(self, startValue=0.0, endValue=1.0)
         self._flight.setDuration(FLIGHT_MILLISECONDS)
@@ -328,7 +330,8 @@ class Display(QObject):
         point = point_at(content, place, relief, view)
         corners = () if kept else corners_at(content, place, relief, view)
         seen = self._seen.project(np.stack([point, *corners]))[:, :2].tolist()
-        text = short(float(f"{reading_at(content.comparison, place).difference:.3g}"))
+        number = short(float(f"{reading_at(content.comparison, place).difference:.3g}"))
+        text = f"{number} {self.unit}".strip()
         right, up = seen[0]
         return Label(right, up, text, kept, tuple((x, y) for x, y in seen[1:]))
 

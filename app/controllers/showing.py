@@ -98,6 +98,7 @@ class Showing(QObject):
         window.measures.show_measures(comparison.measures, self.unit)
         window.chains.show_chains(content.chains, self.unit)
         window.status.setText(self._summary(content))
+        window.display.unit = self.unit
         window.display.set_content(content)
         names = " – ".join(path.name for path in result.document.paths if path)
         window.setWindowTitle(f"{names} – surfcmp")

@@ -29,6 +29,8 @@ class ChainModel(QAbstractTableModel):
         self._order = np.zeros(0, dtype=np.intp)
         self._colours = np.zeros((0, 3), dtype=np.uint8)
         self._unit = ""
+        self._sorted = (2, True)
+        """By which column, and whether the largest come first."""
 
     def set_table(self, table: ChainTable, unit: str) -> None:
         """Show other chains, in their own order."""
@@ -59,7 +61,8 @@ class ChainModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._names()[section]
+            mark = {self._sorted[0]: " ▾" if self._sorted[1] else " ▴"}
+            return self._names()[section] + mark.get(section, "")
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._tips()[section]
         return None
@@ -68,7 +71,7 @@ class ChainModel(QAbstractTableModel):
         return [
             self.tr("Chain"),
             self.tr("Kind"),
-            self.tr("Triangles"),
+            self.tr("Length"),
             self.tr("Area"),
             self.tr("Mean |d|"),
             self.tr("Share %"),
@@ -120,7 +123,7 @@ class ChainModel(QAbstractTableModel):
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         if self._table is None or column < 0:
             return
-        table = self._table
+        table, self._sorted = self._table, (column, order == Qt.SortOrder.DescendingOrder)
         keys = [
             np.arange(len(table.closed)),
             table.closed,
@@ -162,6 +165,7 @@ class ChainsPanel(Panel):
         header.setDefaultAlignment(RIGHT)
         header.setSortIndicator(2, Qt.SortOrder.DescendingOrder)
         self.table.setSortingEnabled(True)
+        header.setSortIndicatorShown(False)  # it would lie over the name
         self.table.selectionModel().currentRowChanged.connect(self._row_changed)
         self.table.clicked.connect(self._row_changed)
         self.summary = quiet_label()
@@ -177,6 +181,8 @@ class ChainsPanel(Panel):
         self.model.set_table(table, unit)
         areas = with_unit(1.0, 2, unit)[1]
         text = self.tr("Areas in {}, means in {}. Click a chain to fly there; Esc shows all again.")
+        if not len(table.closed):
+            text = self.tr("There are no chains: no triangle lies between the two grids.")
         self.summary.setText(text.format(areas, unit))
         header = self.table.horizontalHeader()
         self.model.sort(header.sortIndicatorSection(), header.sortIndicatorOrder())

@@ -27,6 +27,7 @@ class Plot(QWidget):
         self._x = (0.0, 1.0)
         self._y = (0.0, 1.0)
         self._captions = ("", "")
+        self._key: list[tuple[str, QColor]] = []
 
     @override
     def sizeHint(self) -> QSize:
@@ -41,6 +42,11 @@ class Plot(QWidget):
     ) -> None:
         """Set the ranges and captions of the axes."""
         self._x, self._y, self._captions, self._theme = x, y, captions, theme
+        self.update()
+
+    def set_key(self, key: list[tuple[str, QColor]]) -> None:
+        """Name the colours of curves, above them."""
+        self._key = key
         self.update()
 
     @property
@@ -106,3 +112,11 @@ class Plot(QWidget):
         painter.drawText(QPointF(area.left(), metrics.ascent()), self._captions[1])
         wide = metrics.horizontalAdvance(self._captions[0])
         painter.drawText(QPointF(area.right() - wide, metrics.ascent()), self._captions[0])
+        x = area.left() + metrics.horizontalAdvance(self._captions[1]) + 2 * UNIT
+        for name, colour in self._key:
+            y = metrics.ascent() - metrics.xHeight() / 2
+            painter.setPen(QPen(colour, 2.5))
+            painter.drawLine(QPointF(x, y), QPointF(x + 1.5 * UNIT, y))
+            painter.setPen(quiet)
+            painter.drawText(QPointF(x + 2 * UNIT, metrics.ascent()), name)
+            x += 4 * UNIT + metrics.horizontalAdvance(name)

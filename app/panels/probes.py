@@ -27,8 +27,10 @@ class ProbesPanel(Panel):
         super().__init__()
         heads = [self.tr("Place"), "x", "y", "z1", "z2", "d"]
         self.tree = NumberTree(self.tr("Values at places"), heads)
-        self.tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
-        self.tree.header().resizeSection(0, 6 * UNIT)
+        header = self.tree.header()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setMinimumSectionSize(5 * UNIT)
         self.hint = quiet_label(self.tr("Click a place on any surface to read its values."))
         self.hint.setWordWrap(True)
         self.keep = QPushButton(self.tr("Keep"))
@@ -44,12 +46,12 @@ class ProbesPanel(Panel):
         for button in (self.keep, self.remove, self.clear):
             buttons.addWidget(button)
         column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT, UNIT // 2, UNIT, UNIT)
+        column.setContentsMargins(UNIT, UNIT, UNIT, UNIT)
         column.setSpacing(UNIT)
         column.addWidget(self.hint)
         column.addWidget(self.tree, 1)
         column.addLayout(buttons)
-        self._set_unit("")
+        self.show_readings([], None, "")
 
     def _set_unit(self, unit: str) -> None:
         head = self.tree.headerItem()

@@ -84,15 +84,15 @@ def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch,
     """Return the legend of one view."""
     quiet = palette(state.dark)
     if view == 2:
-        lines = [
-            Swatch((quiet.surface_1,), "clouts of 1"),
-            Swatch((quiet.surface_2,), "clouts of 2"),
-            Swatch(_some(5.0, 95.0), "{} closed chains", counts["chains_closed"]),
-            Swatch(_some(185.0, 300.0), "{} open chains", counts["chains_open"]),
-        ]
-        if counts["nodes_shared"]:
-            lines.insert(2, Swatch((quiet.shared,), "shared nodes only"))
-        return tuple(lines)
+        closed, ended = counts["chains_closed"], counts["chains_open"]
+        lines = (
+            (True, Swatch((quiet.surface_1,), "only nodes of 1 (clouts)")),
+            (True, Swatch((quiet.surface_2,), "only nodes of 2 (clouts)")),
+            (counts["nodes_shared"], Swatch((quiet.shared,), "only shared nodes")),
+            (closed, Swatch(_some(5.0, 95.0), "closed chains: {}", closed)),
+            (ended, Swatch(_some(185.0, 300.0), "open chains: {}", ended)),
+        )
+        return tuple(swatch for there, swatch in lines if there)
     if view == 3 and state.heatmap is Heatmap.TRUST:
         return (
             Swatch((TRUST_COLOURS[Trust.BOTH],), "rests on both grids"),

@@ -39,6 +39,19 @@ class Label:
     """Of its triangle, to be outlined."""
 
 
+class _Top(QWidget):
+    """Lies over the picture, the legend and the scale, and lets the mouse through."""
+
+    def __init__(self, canvas: "Canvas") -> None:
+        super().__init__(canvas)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._canvas = canvas
+
+    @override
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        self._canvas.draw_over(QPainter(self))
+
+
 class Canvas(QWidget):
     """Places on it are told in shares of its height from its middle, upwards positive."""
 
@@ -69,6 +82,7 @@ class Canvas(QWidget):
         self.brush = 0.0
         """Radius of the brush, in shares of the height."""
         self._path: list[QPointF] = []
+        self._top = _Top(self)
 
     @override
     def sizeHint(self) -> QSize:
@@ -87,7 +101,7 @@ class Canvas(QWidget):
     def show_labels(self, labels: list[Label]) -> None:
         """Lay labels over the picture."""
         self._labels = labels
-        self.update()
+        self._top.update()
 
     def pixels(self) -> tuple[int, int]:
         """Width and height in device pixels."""
@@ -101,6 +115,9 @@ class Canvas(QWidget):
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         if self._image is not None:
             painter.drawImage(self._target(self._image), self._image)
+
+    def draw_over(self, painter: QPainter) -> None:
+        """Draw labels, and what the tool has drawn."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for label in self._labels:
             self._draw_label(painter, label)
@@ -154,6 +171,8 @@ class Canvas(QWidget):
     @override
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._top.resize(self.size())
+        self._top.raise_()
         self.resized.emit()
 
     def _place(self, position: QPointF) -> tuple[float, float]:
@@ -173,7 +192,7 @@ class Canvas(QWidget):
         self._moved = False
         if self.tool.draws and event.button() == Qt.MouseButton.LeftButton:
             self._path = [event.position()]
-            self.update()
+            self._top.update()
 
     @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -181,7 +200,7 @@ class Canvas(QWidget):
             return
         if self._path:
             self._path.append(event.position())
-            self.update()
+            self._top.update()
             return
         away = event.position() - self._press
         self._moved = self._moved or away.manhattanLength() >= CLICK_PIXELS
@@ -204,6 +223,7 @@ class Canvas(QWidget):
         self._press = None
         if self._path:
             path, self._path = self._path, []
+            self._top.update()
             self.drawn.emit([self._place(position) for position in path])
         elif not self._moved and event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(*self._place(event.position()))

@@ -81,8 +81,8 @@ class View:
         self._drawn = layer
         kinds = (layer.colours, layer.coarse_colours)
         plain = any(isinstance(kind, tuple) for kind in kinds) or patch.data is not None
-        self._surface.SetAmbient(0.22 if plain else 0.46)  # flat light where a colour is to be read
-        self._surface.SetDiffuse(0.86 if plain else 0.58)
+        self._surface.SetAmbient(0.28 if plain else 0.58)  # flat light where a colour is to be read
+        self._surface.SetDiffuse(0.84 if plain else 0.5)
         self._surface.SetLighting(layer.shaded)
 
     def choose(self, fine: bool) -> None:

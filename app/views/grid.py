@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from typing import override
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage, QKeyEvent
+from PySide6.QtGui import QIcon, QImage, QKeyEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.theme import UNIT, Theme, theme
@@ -59,15 +59,18 @@ class ViewGrid(QWidget):
 
     @contextmanager
     def holding(self, images: dict[int, QImage], colours: Theme) -> Iterator[None]:
-        """Hold other pictures for as long as the block runs."""
+        """Hold other pictures, and no buttons, for as long as the block runs."""
+        icon = self.frames[0].title.button.icon()
         before = {view: self.frames[view].canvas.image for view in images}
         for view, image in images.items():
             self.frames[view].canvas.show_image(image, colours)
+            self.frames[view].title.button.setIcon(QIcon())
         try:
             yield
         finally:
             for view, old in before.items():
                 self.frames[view].canvas.show_image(old, colours)
+                self.frames[view].title.button.setIcon(icon)
 
     def show_pictures(self, pictures: Pictures) -> None:
         """Put finished pictures on the canvases."""

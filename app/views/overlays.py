@@ -7,7 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from app.numbers import short
+from app.numbers import short, thousands
 from app.scene.colour_maps import Rgb
 from app.scene.furniture import ColourBar, Swatch
 from app.scene.scale import round_down
@@ -131,11 +131,11 @@ class ColourBarOverlay(Overlay):
 
 
 LEGEND = (
-    QT_TRANSLATE_NOOP("LegendOverlay", "clouts of 1"),
-    QT_TRANSLATE_NOOP("LegendOverlay", "clouts of 2"),
-    QT_TRANSLATE_NOOP("LegendOverlay", "{} closed chains"),
-    QT_TRANSLATE_NOOP("LegendOverlay", "{} open chains"),
-    QT_TRANSLATE_NOOP("LegendOverlay", "shared nodes only"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "only nodes of 1 (clouts)"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "only nodes of 2 (clouts)"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "closed chains: {}"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "open chains: {}"),
+    QT_TRANSLATE_NOOP("LegendOverlay", "only shared nodes"),
     QT_TRANSLATE_NOOP("LegendOverlay", "rests on both grids"),
     QT_TRANSLATE_NOOP("LegendOverlay", "on grid 1 only"),
     QT_TRANSLATE_NOOP("LegendOverlay", "on grid 2 only"),
@@ -154,7 +154,8 @@ class LegendOverlay(Overlay):
     def show_legend(self, swatches: tuple[Swatch, ...]) -> None:
         """Show these lines; none hides the legend."""
         self._swatches = tuple(
-            replace(swatch, text=self.tr(swatch.text).format(swatch.count)) for swatch in swatches
+            replace(swatch, text=self.tr(swatch.text).format(thousands(swatch.count or 0)))
+            for swatch in swatches
         )
         self.setVisible(bool(swatches))
         self.resize(self.sizeHint())

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
+from PySide6.QtWidgets import QScrollArea, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.model.document import NOT_MOVED
@@ -441,3 +441,11 @@ def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot)
     qtbot.waitUntil(lambda: docks["scale"].titleBarWidget() is None)  # it stands alone there
     docks["chains"].toggleViewAction().trigger()
     assert not docks["chains"].isHidden()
+
+
+def test_no_panel_is_wider_than_its_dock(sample: MainWindow, qtbot: QtBot):
+    sample.display.change(section=(-40.0, 0.0, 40.0, 5.0))
+    for dock in sample.docks:
+        scroll = dock.widget()
+        assert isinstance(scroll, QScrollArea)
+        assert scroll.widget().minimumSizeHint().width() <= scroll.minimumWidth(), dock.objectName()

@@ -182,10 +182,13 @@ def test_a_banded_bar_changes_colour_at_its_ticks(small: Comparison):
 
 
 def test_the_legend_counts_the_chains(small: Comparison):
-    texts = [swatch.text for swatch in legend(small.counts, STATE, 2)]
-    counts = small.counts
-    assert f"{counts['chains_closed']} closed chains" in texts
-    assert f"{counts['chains_open']} open chains" in texts
+    counts = {**small.counts, "chains_closed": 1234, "chains_open": 5}
+    found = {swatch.text: swatch.count for swatch in legend(counts, STATE, 2)}
+    assert found["closed chains: {}"] == 1234
+    assert found["open chains: {}"] == 5
+    none = {**counts, "chains_closed": 0, "chains_open": 0, "nodes_shared": 7}
+    texts = [swatch.text for swatch in legend(none, STATE, 2)]
+    assert texts[2:] == ["only shared nodes"]
     assert legend(small.counts, STATE, 3) == ()
     assert len(legend(small.counts, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
 
