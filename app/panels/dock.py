@@ -1,9 +1,32 @@
 """A panel's dock: has a title where nothing else says its name."""
 
-from PySide6.QtCore import Qt, QTimer
+from typing import override
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
 
 from app.theme import UNIT
+
+
+class Shaft(QScrollArea):
+    """As wide as its panel needs, but as low as a small screen needs."""
+
+    def __init__(self, panel: QWidget) -> None:
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(panel)
+
+    @override
+    def minimumSizeHint(self) -> QSize:
+        wide = self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        return QSize(max(wide, 40 * UNIT), 14 * UNIT)
+
+    @override
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
 
 
 class Dock(QDockWidget):
@@ -14,12 +37,7 @@ class Dock(QDockWidget):
         self._window = window
         self._bare = QWidget()  # takes no place
         self.setObjectName(name)
-        scroll = QScrollArea()  # a small screen must not be too small for any panel
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setMinimumSize(40 * UNIT, 14 * UNIT)
-        scroll.setWidget(panel)
-        self.setWidget(scroll)
+        self.setWidget(Shaft(panel))
 
     def settle(self) -> None:
         """Show a title unless it stands behind tabs."""

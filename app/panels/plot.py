@@ -28,6 +28,8 @@ class Plot(QWidget):
         self._y = (0.0, 1.0)
         self._captions = ("", "")
         self._key: list[tuple[str, QColor]] = []
+        self.margin = 0.0
+        """Least room for numbers at the left: plots under each other share theirs."""
 
     @override
     def sizeHint(self) -> QSize:
@@ -54,7 +56,7 @@ class Plot(QWidget):
         """Where the values are drawn."""
         metrics = QFontMetricsF(self.font())
         labels = [metrics.horizontalAdvance(short(value)) for value in self._ticks(self._y, 4)]
-        left = max(labels, default=0.0) + UNIT
+        left = max(self.margin, max(labels, default=0.0) + UNIT)
         top = metrics.height() + UNIT / 2
         bottom = metrics.height() + UNIT / 2
         return QRectF(left, top, self.width() - left - UNIT, self.height() - top - bottom)

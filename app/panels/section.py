@@ -116,6 +116,12 @@ class SectionPanel(Panel):
         d = profile.difference
         self.difference.set_axes(span, padded(np.append(d, 0.0)), (axis, f"d, {unit}"), colours)
         self.difference.show_curves(profile.along, [(d, QColor(colours.accent))])
+        plots = (self.heights, self.difference)
+        for plot in plots:
+            plot.margin = 0.0
+        wide = max(plot.area.left() for plot in plots)
+        for plot in plots:
+            plot.margin = wide
         largest = float(np.nanmax(np.abs(d))) if np.isfinite(d).any() else float("nan")
         self.text.setText(
             self.tr("{:.4g} {} long, largest |d| {:.3g} {}").format(span[1], unit, largest, unit)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QScrollArea, QTabBar, QWidget
+from PySide6.QtWidgets import QScrollArea, QTabBar, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.model.document import NOT_MOVED
@@ -446,6 +446,9 @@ def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot)
 def test_no_panel_is_wider_than_its_dock(sample: MainWindow, qtbot: QtBot):
     sample.display.change(section=(-40.0, 0.0, 40.0, 5.0))
     for dock in sample.docks:
+        dock.show()
+        dock.raise_()
+        qtbot.wait(20)
         scroll = dock.widget()
         assert isinstance(scroll, QScrollArea)
-        assert scroll.widget().minimumSizeHint().width() <= scroll.minimumWidth(), dock.objectName()
+        assert scroll.widget().width() <= scroll.viewport().width(), dock.objectName()
