@@ -19,8 +19,16 @@ def _scatter(number: int) -> np.uint64:
 
 
 @kernel
-def _ends(faces: NDArray[np.int32], fate: NDArray[np.uint8], ends: NDArray[np.uint64]) -> int:
-    """Sum up the edges that leave each node less those that reach it: 0 inside."""
+def _with_ends(
+    faces: NDArray[np.int32],
+    fate: NDArray[np.uint8],
+    ends: NDArray[np.uint64],
+    found: NDArray[np.int32],
+) -> int:
+    """Collect triangles with two nodes or more on the border.
+
+    For each node the edges that leave it less those that reach it are summed up: 0 inside.
+    """
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
             a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
@@ -31,27 +39,11 @@ def _ends(faces: NDArray[np.int32], fate: NDArray[np.uint8], ends: NDArray[np.ui
     count = 0
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
-            for i in range(3):
-                count += ends[faces[t, i]] != 0 and ends[faces[t, (i + 1) % 3]] != 0
+            a, b, c = ends[faces[t, 0]] != 0, ends[faces[t, 1]] != 0, ends[faces[t, 2]] != 0
+            if (a and b) or (b and c) or (c and a):
+                found[count] = t
+                count += 1
     return count
-
-
-@kernel
-def _between_ends(
-    faces: NDArray[np.int32],
-    fate: NDArray[np.uint8],
-    ends: NDArray[np.uint64],
-    edges: NDArray[np.int64],
-) -> None:
-    k = 0
-    for t in range(faces.shape[0]):
-        if fate[t] == _KEPT:
-            for i in range(3):
-                a, b = faces[t, i], faces[t, (i + 1) % 3]
-                if ends[a] != 0 and ends[b] != 0:
-                    edges[k, 0] = a
-                    edges[k, 1] = b
-                    k += 1
 
 
 def border_of(faces: NDArray[np.int32], fate: NDArray[np.uint8], nodes: int) -> NDArray[np.int64]:
@@ -71,8 +63,10 @@ def border_of(faces: NDArray[np.int32], fate: NDArray[np.uint8], nodes: int) -> 
         From node to node, the triangle on the left; repeated where several have it alike.
     """
     ends = np.zeros(nodes, np.uint64)
-    edges = np.empty((_ends(faces, fate, ends), 2), np.int64)
-    _between_ends(faces, fate, ends, edges)
+    found = np.empty(len(faces), np.int32)
+    near = faces[found[: _with_ends(faces, fate, ends, found)]].astype(np.int64)
+    edges = np.concatenate([near[:, [i, (i + 1) % 3]] for i in range(3)])
+    edges = edges[(ends[edges] != 0).all(axis=1)]
     rising = edges[:, 0] < edges[:, 1]
     keys = np.where(rising, edges[:, 0] * nodes + edges[:, 1], edges[:, 1] * nodes + edges[:, 0])
     keys, which = np.unique(keys, return_inverse=True)

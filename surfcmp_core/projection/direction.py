@@ -1,6 +1,7 @@
 """The viewing direction of scans that lie as they came."""
 
 from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -22,11 +23,16 @@ _RANK_CLOSED = 0.03
 """Weight of the shadow for closed meshes: convex ones show half of themselves in every view."""
 _ALIKE = 10
 """Decimals to which two views are told apart."""
+_ALIKE_CLOSED = 3
+"""The same for front and back of closed meshes, which show different bits."""
 _LATTICE = 3
 """The first views go through the points of a cube's surface, this many steps from its centre."""
 _STARTS = 2
 """The best of the first views, from which the search goes on."""
-_STEPS = np.radians([8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125])
+_STEPS = np.radians([8.0, 4.0, 2.0])
+_LAST_STEPS = np.radians([2.0, 1.0, 0.5, 0.25, 0.125])
+_FIRST_LOOK = 5000
+"""Bits that are enough but for the last steps."""
 
 
 def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
@@ -113,11 +119,13 @@ def _own_axes(meshes: list[Samples]) -> NDArray[np.float64]:
 def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
     closed = bool(np.mean([m.openness for m in meshes]) < _CLOSED)
 
-    def value(direction: NDArray[np.float64]) -> float:
+    hulls = [np.zeros((0, 3)) if closed else m.hull() for m in meshes]
+
+    def value(meshes: list[Samples], direction: NDArray[np.float64]) -> float:
         total = 0.0
-        for mesh in meshes:
-            area, shadow = seen(mesh, direction)
-            outline = 0.5 * float(np.abs(mesh.hull @ direction).sum())
+        for mesh, hull in zip(meshes, hulls, strict=True):
+            area, shadow = seen(mesh, direction, whole=not closed)
+            outline = 0.5 * float(np.abs(hull @ direction).sum())
             filled = shadow / outline if outline > 0.0 else 1.0
             if closed:
                 total += area + _RANK_CLOSED * shadow
@@ -125,17 +133,24 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
                 total += area + _RANK * (_FILLED * filled + shadow)
         return total
 
+    rough = partial(value, [m.thinned(len(m.areas) // _FIRST_LOOK) for m in meshes])
+    whole = partial(value, meshes)
     first = _views_all_round(meshes)
-    values = np.array([value(d) for d in first])
+    values = np.array([rough(d) for d in first])
     # where two sheets mirror each other, their views tie: the first triangles then decide
-    order = np.lexsort((-first @ _order_moment(meshes), -values.round(_ALIKE)))
-    best, best_value = first[order[0]], -np.inf
-    for start in order[:_STARTS]:
-        direction, reached = first[start], float(values[start])
+    moment = _order_moment(meshes)
+    order = np.lexsort((-first @ moment, -values.round(_ALIKE)))
+    starts = [*first[order[:_STARTS]], -first[order[0]]]
+    ends = []
+    for start in starts:
+        reached = rough(start)
         for step in _STEPS:
-            direction, reached = _climb(value, direction, reached, float(step))
-        if reached > best_value + 10.0**-_ALIKE:
-            best, best_value = direction, reached
+            start, reached = _climb(rough, start, reached, float(step))
+        ends.append((start, whole(start)))
+    decimals = _ALIKE_CLOSED if closed else _ALIKE
+    best, reached = max(ends, key=lambda end: (round(end[1], decimals), end[0] @ moment))
+    for step in _LAST_STEPS:
+        best, reached = _climb(whole, best, reached, float(step))
     return np.asarray(best)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.kernel import kernel
 from surfcmp_core.surface import Surface
 
 _FLAT = 0.01
@@ -96,4 +97,16 @@ def moved(surface: Surface, matrix: NDArray[np.float64]) -> Surface:
     """
     if np.array_equal(matrix, np.eye(4)):
         return surface
-    return replace(surface, points=surface.points @ matrix[:3, :3].T + matrix[:3, 3])
+    points = np.empty_like(surface.points)
+    _move(surface.points, np.ascontiguousarray(matrix, np.float64), points)
+    return replace(surface, points=points)
+
+
+@kernel
+def _move(
+    points: NDArray[np.float64], matrix: NDArray[np.float64], to: NDArray[np.float64]
+) -> None:
+    for i in range(points.shape[0]):
+        x, y, z = points[i, 0], points[i, 1], points[i, 2]
+        for k in range(3):
+            to[i, k] = matrix[k, 0] * x + matrix[k, 1] * y + matrix[k, 2] * z + matrix[k, 3]

@@ -19,9 +19,7 @@ def _root(parent: NDArray[np.int32], node: int) -> int:
 
 
 @kernel
-def join_pieces(
-    faces: NDArray[np.int32], fate: NDArray[np.uint8], piece: NDArray[np.int32]
-) -> None:
+def join_pieces(faces: NDArray[np.int32], fate: NDArray[np.uint8], piece: NDArray[np.int32]) -> int:
     """Find what hangs together: triangles that share a node belong to one piece.
 
     Parameters
@@ -30,22 +28,37 @@ def join_pieces(
     fate : (m,) uint8
         Only KEPT ones count.
     piece : (n,) int32
-        Set to the smallest node of the piece that each node belongs to.
+        Set to the smallest node of the piece that each node belongs to; -1 where it has no
+        triangle.
+
+    Returns
+    -------
+    int
+        How many pieces there are.
     """
-    for node in range(piece.size):
-        piece[node] = node
+    piece[:] = -1
+    pieces = 0
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
+            for i in range(3):
+                node = faces[t, i]
+                if piece[node] < 0:
+                    piece[node] = node
+                    pieces += 1
             a = piece[faces[t, 0]]
             if a == piece[faces[t, 1]] and a == piece[faces[t, 2]]:
                 continue
             a = _root(piece, a)
             for i in range(1, 3):
                 b = _root(piece, faces[t, i])
-                piece[max(a, b)] = min(a, b)
-                a = min(a, b)
+                if a != b:
+                    piece[max(a, b)] = min(a, b)
+                    a = min(a, b)
+                    pieces -= 1
     for node in range(piece.size):  # a parent's number is below its child's
-        piece[node] = piece[piece[node]]
+        if piece[node] >= 0:
+            piece[node] = piece[piece[node]]
+    return pieces
 
 
 @kernel
@@ -69,7 +82,8 @@ def drop_islands(
     fate : (m,) uint8
         Only KEPT ones count; set to ISLAND.
     """
-    join_pieces(faces, fate, piece)
+    if join_pieces(faces, fate, piece) < 2:
+        return
     total = np.zeros(piece.size)
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:

@@ -9,6 +9,7 @@ from surfcmp_core.projection.cells import Cells, crowded
 from surfcmp_core.projection.removed import Fate
 
 _HIDDEN = int(Fate.HIDDEN)
+_DIRECTIONS = 8
 
 
 @kernel
@@ -26,7 +27,9 @@ def _side(nodes: NDArray[np.float64], a: int, b: int, c: int) -> float:
 def _apart(nodes: NDArray[np.float64], one: NDArray[np.int32], other: NDArray[np.int32]) -> bool:
     """Whether an edge of one counter-clockwise triangle has all of another on its outer side."""
     for i in range(3):
-        a, b = one[i], one[(i + 1) % 3]
+        a, b, c = one[i], one[(i + 1) % 3], one[(i + 2) % 3]
+        if c == other[0] or c == other[1] or c == other[2]:
+            continue  # a node on the inner side
         if (
             _side(nodes, a, b, other[0]) <= 0.0
             and _side(nodes, a, b, other[1]) <= 0.0
@@ -101,6 +104,35 @@ def _lead(
 
 
 @kernel
+def _along_an_edge(one: NDArray[np.int32], other: NDArray[np.int32]) -> bool:
+    """Whether two counter-clockwise triangles lie on either side of a common edge."""
+    for i in range(3):
+        for j in range(3):
+            if one[i] == other[(j + 1) % 3] and one[(i + 1) % 3] == other[j]:
+                return True
+    return False
+
+
+@kernel
+def _reach(
+    nodes: NDArray[np.float64],
+    face: NDArray[np.int32],
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+) -> None:
+    """Give the least and the largest value at its nodes of x, y and six other directions."""
+    low[:] = np.inf
+    high[:] = -np.inf
+    for i in range(3):
+        x, y = nodes[face[i], 0], nodes[face[i], 1]
+        for k, value in enumerate(
+            (x, y, x + y, x - y, x + 2.0 * y, x - 2.0 * y, 2.0 * x + y, 2.0 * x - y)
+        ):
+            low[k] = min(low[k], value)
+            high[k] = max(high[k], value)
+
+
+@kernel
 def _hide(
     nodes: NDArray[np.float64],
     z: NDArray[np.float64],
@@ -113,30 +145,35 @@ def _hide(
     members: NDArray[np.int64],
     fate: NDArray[np.uint8],
 ) -> None:
-    box = np.empty((int(np.max(np.diff(start))), 4))
+    most = int(np.max(np.diff(start)))
+    low = np.empty((most, _DIRECTIONS))
+    high = np.empty((most, _DIRECTIONS))
     for cell in range(start.size - 1):
         first = start[cell]
         for i in range(start[cell + 1] - first):
-            a, b, c = faces[members[first + i]]
-            box[i, 0] = min(nodes[a, 0], nodes[b, 0], nodes[c, 0])
-            box[i, 1] = max(nodes[a, 0], nodes[b, 0], nodes[c, 0])
-            box[i, 2] = min(nodes[a, 1], nodes[b, 1], nodes[c, 1])
-            box[i, 3] = max(nodes[a, 1], nodes[b, 1], nodes[c, 1])
             p = members[first + i]
+            _reach(nodes, faces[p], low[i], high[i])
             for j in range(i):
-                q = members[first + j]
+                # rounded sums that differ stand for sums that differ; those that agree may not
                 if (
-                    box[j, 0] >= box[i, 1]
-                    or box[j, 1] <= box[i, 0]
-                    or box[j, 2] >= box[i, 3]
-                    or box[j, 3] <= box[i, 2]
-                    or (fate[p] == _HIDDEN and fate[q] == _HIDDEN)
+                    low[j, 0] >= high[i, 0]
+                    or high[j, 0] <= low[i, 0]
+                    or low[j, 1] >= high[i, 1]
+                    or high[j, 1] <= low[i, 1]
                 ):
                     continue
+                apart = False
+                for k in range(2, _DIRECTIONS):
+                    apart = apart or low[j, k] > high[i, k] or high[j, k] < low[i, k]
+                if apart:
+                    continue
+                q = members[first + j]
+                if fate[p] == _HIDDEN and fate[q] == _HIDDEN:
+                    continue
                 # once a pair: in the cell of their boxes' first common place
-                column = int((max(box[i, 0], box[j, 0]) - x0) * per_cell)
-                row = int((max(box[i, 2], box[j, 2]) - y0) * per_cell)
-                if row * columns + column != cell:
+                column = int((max(low[i, 0], low[j, 0]) - x0) * per_cell)
+                row = int((max(low[i, 1], low[j, 1]) - y0) * per_cell)
+                if row * columns + column != cell or _along_an_edge(faces[q], faces[p]):
                     continue
                 if _apart(nodes, faces[q], faces[p]) or _apart(nodes, faces[p], faces[q]):
                     continue

@@ -10,6 +10,8 @@ from surfcmp_core.surface import Surface
 
 _WANTED = 16_000
 """Bits of a mesh: enough for a tenth of a degree, few enough for a millisecond a view."""
+_DEBRIS = 0.01
+"""Connected parts with less than this share of the largest one's area have no say."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,15 +28,15 @@ class Samples:
         As shares of the whole.
     pieces : (k,) int32
         Number of the connected part of the mesh each belongs to, from 0.
-    hull : (f, 3) float64
-        Vector areas of the facets of the convex hull, in the same shares; empty for flat meshes.
+    area : float
+        Of the whole.
     """
 
     places: NDArray[np.float64]
     normals: NDArray[np.float64]
     areas: NDArray[np.float64]
     pieces: NDArray[np.int32]
-    hull: NDArray[np.float64]
+    area: float
 
     @property
     def openness(self) -> float:
@@ -42,13 +44,40 @@ class Samples:
         vectors = [np.bincount(self.pieces, self.areas * n) for n in self.normals.T]
         return float(np.linalg.norm(vectors, axis=0).sum())
 
+    def thinned(self, step: int) -> "Samples":
+        """Give every so manieth bit, all of them for less than two, for a first look."""
+        if step < 2:
+            return self
+        areas = self.areas[::step] / self.areas[::step].sum()
+        return replace(
+            self,
+            places=self.places[::step],
+            normals=self.normals[::step],
+            areas=areas,
+            pieces=np.unique(self.pieces[::step], return_inverse=True)[1].astype(np.int32),
+        )
+
+    def hull(self) -> NDArray[np.float64]:
+        """Give the (f, 3) vector areas of the facets of the convex hull, as shares of the area.
+
+        None of them for flat meshes.
+        """
+        from scipy.spatial import ConvexHull, QhullError
+
+        try:
+            hull = ConvexHull(self.places)
+        except QhullError:
+            return np.zeros((0, 3))
+        corners = self.places[hull.simplices]
+        vectors = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        return np.asarray(vectors / (2.0 * self.area))
+
     def turned(self, axes: NDArray[np.float64]) -> "Samples":
         """Give the same in other axes, the rows of a rotation."""
         return replace(
             self,
             places=self.places @ axes.T,
             normals=self.normals @ axes.T,
-            hull=self.hull @ axes.T,
         )
 
 
@@ -69,14 +98,17 @@ def samples_of(surface: Surface) -> Samples | None:
     piece_of = np.empty(len(surface.points), np.int32)
     join_pieces(surface.faces, np.zeros(len(surface.faces), np.uint8), piece_of)
     faces = surface.faces[:: max(1, len(surface.faces) // _WANTED)]
-    corners = surface.points[faces] - surface.points.mean(axis=0)
+    corners = surface.points[faces] - surface.points[0]
     vector = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     double = np.linalg.norm(vector, axis=1)
     real = double > 0.0
     if not real.any():
         return None
+    pieces = np.unique(piece_of[faces[:, 0]], return_inverse=True)[1].astype(np.int32)
+    by_piece = np.bincount(pieces, double)
+    real &= by_piece[pieces] >= _DEBRIS * by_piece.max()
     corners, vector, double = corners[real], vector[real], double[real]
-    pieces = np.unique(piece_of[faces[real, 0]], return_inverse=True)[1].astype(np.int32)
+    pieces = np.unique(pieces[real], return_inverse=True)[1].astype(np.int32)
     centres = _centres(max(1, round(np.sqrt(_WANTED / len(double)))))
     places = np.einsum("kc,mcx->mkx", centres, corners).reshape(-1, 3)
     areas = np.repeat(double, len(centres)) / (double.sum() * len(centres))
@@ -86,19 +118,8 @@ def samples_of(surface: Surface) -> Samples | None:
         normals,
         areas,
         np.repeat(pieces, len(centres)),
-        _hull(places) / (double.sum() / 2.0),
+        float(double.sum()) / 2.0,
     )
-
-
-def _hull(places: NDArray[np.float64]) -> NDArray[np.float64]:
-    from scipy.spatial import ConvexHull, QhullError
-
-    try:
-        hull = ConvexHull(places)
-    except QhullError:
-        return np.zeros((0, 3))
-    corners = places[hull.simplices]
-    return np.asarray(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2.0)
 
 
 def _centres(parts: int) -> NDArray[np.float64]:

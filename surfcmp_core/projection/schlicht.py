@@ -17,6 +17,8 @@ from surfcmp_core.projection.places import same_place
 from surfcmp_core.projection.removed import UNUSED, Fate, Removed
 from surfcmp_core.surface import Surface
 
+_KEPT, _HIDDEN = int(Fate.KEPT), int(Fate.HIDDEN)
+_DEGENERATE, _BACK_FACING = int(Fate.DEGENERATE), int(Fate.BACK_FACING)
 _CLOSED = 0.25
 """A mesh whose vector area is below this share of its area counts as closed."""
 
@@ -53,7 +55,7 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
     InputError
         Nothing faces the viewer; coordinates beyond the range of exact predicates.
     """
-    nodes = np.ascontiguousarray(surface.points[:, :2]) + 0.0
+    nodes = surface.points[:, :2] + 0.0
     scale = safe_scale(nodes)
     if scale != 1.0:
         nodes *= scale
@@ -62,12 +64,10 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
     if surface.faces is None:
         return _upper_nodes(surface, members[_below(z, members, starts)])
 
-    side, area, turned = _sides_of(surface, nodes)
+    fate, area, turned = _facing(surface, scale)
     faces = _joined(surface.faces, z, members, starts)
     if turned:
         faces = np.ascontiguousarray(faces[:, ::-1])
-        side = -side
-    fate = np.array([Fate.DEGENERATE, Fate.KEPT, Fate.BACK_FACING], np.uint8)[side]
     room = np.empty(len(nodes), np.int32)
     drop_islands(faces, area, island, room, fate)
     border = border_of(faces, fate, len(nodes))
@@ -76,11 +76,13 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
     cells = cells_over(nodes, border, int(np.count_nonzero(fate == Fate.KEPT)))
     hide(nodes, z, faces, cells, fate)
     if len(members):
-        used = np.zeros(len(nodes), bool)
-        used[faces[fate == Fate.KEPT]] = True
-        low = np.zeros(len(nodes), bool)
-        low[members[_below(np.where(used, z, -np.inf), members, starts)]] = True
-        fate[low[faces].any(axis=1) & (fate == Fate.KEPT)] = Fate.HIDDEN
+        height = np.full(len(nodes), -np.inf)
+        _heights(faces, fate, z, height)
+        below = members[_below(height, members, starts)]
+        if len(below):
+            low = np.zeros(len(nodes), bool)
+            low[below] = True
+            _hide_low(faces, low, fate)
     if (fate == Fate.HIDDEN).any():
         drop_islands(faces, area, island, room, fate)
     return _part(surface, fate, area, turned)
@@ -108,6 +110,8 @@ def _joined(
     first = np.ones(len(members), bool)
     first[1:] = z[members[1:]] != z[members[:-1]]
     first[starts] = True
+    if first.all():
+        return faces
     number = np.arange(len(z), dtype=np.int32)
     number[members] = members[first][np.cumsum(first) - 1]
     return number[faces]
@@ -116,30 +120,26 @@ def _joined(
 @kernel
 def _sides(
     points: NDArray[np.float64],
-    nodes: NDArray[np.float64],
+    scale: float,
     faces: NDArray[np.int32],
-    middle: NDArray[np.float64],
-    side: NDArray[np.int8],
+    fate: NDArray[np.uint8],
     area: NDArray[np.float64],
 ) -> tuple[float, float, float, float]:
-    """Orient and measure triangles; give their vector area and the volume they enclose."""
+    """Orient and measure triangles; give their vector area and the volume they enclose.
+
+    Clockwise ones look back.
+    """
     sum_x = sum_y = sum_z = volume = 0.0
+    x0, y0, z0 = points[0, 0], points[0, 1], points[0, 2]
     for t in range(faces.shape[0]):
         a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
-        turn = orientation(
-            nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1]
-        )
-        side[t] = (turn > 0.0) - (turn < 0.0)
-        ux, uy, uz = (
-            points[b, 0] - points[a, 0],
-            points[b, 1] - points[a, 1],
-            points[b, 2] - points[a, 2],
-        )
-        vx, vy, vz = (
-            points[c, 0] - points[a, 0],
-            points[c, 1] - points[a, 1],
-            points[c, 2] - points[a, 2],
-        )
+        ax, ay, az = points[a, 0], points[a, 1], points[a, 2]
+        bx, by, bz = points[b, 0], points[b, 1], points[b, 2]
+        cx, cy, cz = points[c, 0], points[c, 1], points[c, 2]
+        turn = orientation(scale * ax, scale * ay, scale * bx, scale * by, scale * cx, scale * cy)
+        fate[t] = _KEPT if turn > 0.0 else _BACK_FACING if turn < 0.0 else _DEGENERATE
+        ux, uy, uz = bx - ax, by - ay, bz - az
+        vx, vy, vz = cx - ax, cy - ay, cz - az
         nx = 0.5 * (uy * vz - uz * vy)
         ny = 0.5 * (uz * vx - ux * vz)
         nz = 0.5 * (ux * vy - uy * vx)
@@ -147,26 +147,44 @@ def _sides(
         sum_x += nx
         sum_y += ny
         sum_z += nz
-        volume += (
-            nx * (points[a, 0] - middle[0])
-            + ny * (points[a, 1] - middle[1])
-            + nz * (points[a, 2] - middle[2])
-        )
+        volume += nx * (ax - x0) + ny * (ay - y0) + nz * (az - z0)
     return sum_x, sum_y, sum_z, volume
 
 
-def _sides_of(
-    surface: Surface, nodes: NDArray[np.float64]
-) -> tuple[NDArray[np.int8], NDArray[np.float64], bool]:
-    """Give each triangle's side (1: towards the viewer) and area, and whether to turn all over."""
+def _facing(surface: Surface, scale: float) -> tuple[NDArray[np.uint8], NDArray[np.float64], bool]:
+    """Give each triangle's fate by its side, its area, and whether to turn all over."""
     faces = surface.faces
     assert faces is not None
-    side = np.empty(len(faces), np.int8)
+    fate = np.empty(len(faces), np.uint8)
     area = np.empty(len(faces))
-    *vector, volume = _sides(surface.points, nodes, faces, surface.points.mean(axis=0), side, area)
-    if np.linalg.norm(vector) < _CLOSED * area.sum():
-        return side, area, volume < 0.0
-    return side, area, vector[2] < 0.0
+    *vector, volume = _sides(surface.points, scale, faces, fate, area)
+    closed = np.linalg.norm(vector) < _CLOSED * area.sum()
+    turned = volume < 0.0 if closed else vector[2] < 0.0
+    if turned:
+        fate = np.array([_BACK_FACING, _DEGENERATE, _KEPT], np.uint8)[fate]
+    return fate, area, turned
+
+
+@kernel
+def _heights(
+    faces: NDArray[np.int32],
+    fate: NDArray[np.uint8],
+    z: NDArray[np.float64],
+    height: NDArray[np.float64],
+) -> None:
+    """Give the nodes of triangles that are kept their z."""
+    for t in range(faces.shape[0]):
+        if fate[t] == _KEPT:
+            for i in range(3):
+                height[faces[t, i]] = z[faces[t, i]]
+
+
+@kernel
+def _hide_low(faces: NDArray[np.int32], low: NDArray[np.bool_], fate: NDArray[np.uint8]) -> None:
+    """Mark triangles that have a low node."""
+    for t in range(faces.shape[0]):
+        if fate[t] == _KEPT and (low[faces[t, 0]] or low[faces[t, 1]] or low[faces[t, 2]]):
+            fate[t] = _HIDDEN
 
 
 def _upper_nodes(surface: Surface, low: NDArray[np.int64]) -> tuple[Surface, Removed]:
@@ -182,30 +200,49 @@ _IN_USE = np.uint8(255)
 
 
 @kernel
-def _last_fates(
-    faces: NDArray[np.int32], fate: NDArray[np.uint8], of_node: NDArray[np.uint8]
+def _tally(
+    faces: NDArray[np.int32],
+    fate: NDArray[np.uint8],
+    area: NDArray[np.float64],
+    of_node: NDArray[np.uint8],
+    triangles: NDArray[np.int64],
+    areas: NDArray[np.float64],
 ) -> None:
-    """Give each node the last of its triangles' fates, and _IN_USE where one is kept."""
+    """Count and add up triangles by fate; give each node the last one of its triangles.
+
+    It is _IN_USE where one is kept.
+    """
     for t in range(faces.shape[0]):
+        triangles[fate[t]] += 1
+        areas[fate[t]] += area[t]
         mark = fate[t] if fate[t] != 0 else 255
         for i in range(3):
             of_node[faces[t, i]] = max(of_node[faces[t, i]], mark)
 
 
 @kernel
-def _renumber(
+def _split(
     faces: NDArray[np.int32],
     fate: NDArray[np.uint8],
     number: NDArray[np.int32],
     turned: bool,
-    new_faces: NDArray[np.int32],
+    kept: NDArray[np.int32],
+    gone: NDArray[np.int32],
+    why: NDArray[np.uint8],
 ) -> None:
+    """Part the triangles that are kept, in new numbers, from those that are not."""
     k = 0
+    g = 0
     for t in range(faces.shape[0]):
         if fate[t] == 0:
             for i in range(3):
-                new_faces[k, 2 - i if turned else i] = number[faces[t, i]]
+                kept[k, 2 - i if turned else i] = number[faces[t, i]]
             k += 1
+        else:
+            for i in range(3):
+                gone[g, i] = faces[t, i]
+            why[g] = fate[t]
+            g += 1
 
 
 def _part(
@@ -213,25 +250,27 @@ def _part(
 ) -> tuple[Surface, Removed]:
     faces = surface.faces
     assert faces is not None
-    triangles = np.bincount(fate, minlength=len(Fate))
+    of_node = np.zeros(len(surface.points), np.uint8)
+    triangles = np.zeros(len(Fate), np.int64)
+    areas = np.zeros(len(Fate))
+    _tally(faces, fate, area, of_node, triangles, areas)
     if not triangles[Fate.KEPT]:
         raise InputError(f"{surface.name}: no triangle faces the viewer")
-    of_node = np.zeros(len(surface.points), np.uint8)
-    _last_fates(faces, fate, of_node)
     kept = np.flatnonzero(of_node == _IN_USE)
-    number = np.empty(len(of_node), np.int32)
-    number[kept] = np.arange(len(kept), dtype=np.int32)
-    new_faces = np.empty((int(triangles[Fate.KEPT]), 3), np.int32)
-    _renumber(faces, fate, number, turned, new_faces)
+    lost = len(faces) - int(triangles[Fate.KEPT])
+    new_faces, gone, why = faces, np.empty((lost, 3), np.int32), np.empty(lost, np.uint8)
+    if turned or lost or len(kept) < len(of_node):
+        number = np.empty(len(of_node), np.int32)
+        number[kept] = np.arange(len(kept), dtype=np.int32)
+        new_faces = np.empty((len(faces) - lost, 3), np.int32)
+        _split(faces, fate, number, turned, new_faces, gone, why)
 
     reasons = [UNUSED, *(fate.label for fate in Fate if fate != Fate.KEPT)]
     nodes = np.bincount(of_node, minlength=256)
     counts = {reason: int(n) for reason, n in zip(reasons, nodes, strict=False) if n}
-    areas = np.bincount(fate, area, len(Fate))
-    gone = np.flatnonzero(fate)
     removed = Removed(
-        faces[gone],
-        fate[gone],
+        gone,
+        why,
         kept,
         counts,
         {f.label: float(areas[f]) for f in Fate if f != Fate.KEPT and triangles[f]},
@@ -250,4 +289,5 @@ def _without(
     dropped = dict(surface.dropped)
     for reason, count in counts.items():
         dropped[reason] = dropped.get(reason, 0) + count
-    return replace(surface, points=surface.points[kept], faces=faces, dropped=dropped)
+    points = surface.points if len(kept) == len(surface.points) else surface.points[kept]
+    return replace(surface, points=points, faces=faces, dropped=dropped)

@@ -77,7 +77,9 @@ def _seen(
     return shadow
 
 
-def seen(samples: Samples, direction: NDArray[np.float64]) -> tuple[float, float]:
+def seen(
+    samples: Samples, direction: NDArray[np.float64], *, whole: bool = True
+) -> tuple[float, float]:
     """Judge how much of a surface is seen from far along a direction.
 
     A bit of the surface is seen where it faces the viewer and no other one that does lies in front
@@ -88,17 +90,21 @@ def seen(samples: Samples, direction: NDArray[np.float64]) -> tuple[float, float
     samples : Samples
     direction : (3,) float64
         Towards the viewer; unit.
+    whole : bool
+        Weigh each connected part by a high power of the share of it that is seen: a view that shows
+        one sheet whole and hides the other outdoes one that shows most of both.
 
     Returns
     -------
     seen : float
-        The area of all connected parts, each by a high power of the share of it that is seen:
-        a view that shows one sheet whole and hides the other outdoes one that shows most of both.
+        Area that is seen, as a share of the whole area.
     shadow : float
         Area that what is seen covers in the plane of the view, as a share of the whole area.
     """
     axes = np.ascontiguousarray(frame(direction)[:3, :3])
     by_piece = np.zeros(int(samples.pieces.max()) + 1)
     shadow = _seen(samples.places, samples.normals, samples.areas, samples.pieces, axes, by_piece)
+    if not whole:
+        return float(by_piece.sum()), shadow
     areas = np.bincount(samples.pieces, samples.areas)
     return float((by_piece / areas) ** _WHOLE @ areas), shadow
