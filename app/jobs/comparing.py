@@ -18,6 +18,7 @@ from app.jobs.regions import (
 )
 from app.model.document import NOT_MOVED, Document
 from app.scene.content import Content, content_of
+from app.scene.lines import borders_of
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.progress import Progress
 from surfcmp_core.surface import Surface
@@ -56,15 +57,19 @@ def compared(document: Document, before: Compared | None, progress: Progress) ->
     """
     progress("read", 0.0)
     found = None if before is None else _measured_anew(document, before)
-    geometry = None if before is None or found is None else before.content.geometry
     comparison, record = found or _compare(document, progress)
     progress("picture", 0.98)
     regions = document.regions
-    number = region_of(comparison, regions) if regions else None
-    shown = weighted(comparison, regions)
+    number = region_of(comparison, regions)
+    shown = weighted(comparison, regions, number)
     colours = [region.colour for region in regions]
-    content = content_of(shown, geometry, number, colours)
-    return Compared(document, comparison, record, content, measured_regions(comparison, regions))
+    if before is not None and found is not None:
+        borders = borders_of(comparison.united.triangles, number, colours) if regions else ()
+        content = replace(before.content, comparison=shown, borders=borders)
+    else:
+        content = content_of(shown, region=number if regions else None, colours=colours)
+    parts = measured_regions(comparison, regions, number)
+    return Compared(document, comparison, record, content, parts)
 
 
 def _measured_anew(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from app.model.region import Region
 if TYPE_CHECKING:
     from surfcmp_core.comparison import Comparison
     from surfcmp_core.measures.measures import Measures
+    from surfcmp_core.united import United
 
 
 Covers = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.bool_]]
@@ -35,12 +37,19 @@ class RegionMeasures:
 
 def region_of(comparison: Comparison, regions: tuple[Region, ...]) -> NDArray[np.int32]:
     """Return (M,) the number of each triangle's region, by its centroid; -1 for none."""
-    united = comparison.united
-    x, y = united.nodes[united.triangles].mean(axis=1).T
+    x, y = centroids(comparison.united)
     number = np.full(len(x), -1, dtype=np.int32)
     for k, region in enumerate(regions):
         number[region_mask(x, y, region)] = k
     return number
+
+
+@lru_cache(maxsize=1)
+def centroids(united: United) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return x and y (M,) of the middle of each triangle."""
+    a, b, c = united.triangles.T
+    x, y = np.ascontiguousarray(united.nodes.T)
+    return (x[a] + x[b] + x[c]) / 3, (y[a] + y[b] + y[c]) / 3
 
 
 def region_mask(
@@ -88,12 +97,14 @@ def beside(path: NDArray[np.float64], radius: float) -> Covers:
 
 
 def measured_regions(
-    comparison: Comparison, regions: tuple[Region, ...]
+    comparison: Comparison, regions: tuple[Region, ...], number: NDArray[np.int32]
 ) -> tuple[RegionMeasures, ...]:
-    """Return the measures of each region, and of the rest last; nothing without regions."""
+    """Return the measures of each region, and of the rest last; nothing without regions.
+
+    `number` is what `region_of` gives.
+    """
     if not regions:
         return ()
-    number = region_of(comparison, regions)
     found = []
     for k, region in enumerate((*regions, None)):
         mine = comparison.compared & (number == (k if region is not None else -1))
@@ -102,12 +113,14 @@ def measured_regions(
     return tuple(found)
 
 
-def weighted(comparison: Comparison, regions: tuple[Region, ...]) -> Comparison:
+def weighted(
+    comparison: Comparison, regions: tuple[Region, ...], number: NDArray[np.int32]
+) -> Comparison:
     """Return the comparison with ρ_V measured under the regions' weights µ, 1 elsewhere."""
     if all(region.weight == 1.0 for region in regions):
         return comparison
     weights = np.array([*(region.weight for region in regions), 1.0])
-    measures = _measure(comparison, comparison.compared, weights[region_of(comparison, regions)])
+    measures = _measure(comparison, comparison.compared, weights[number])
     return replace(comparison, measures=replace(measures, exact=comparison.measures.exact))
 
 

@@ -76,7 +76,7 @@ def test_later_regions_lie_over_earlier_ones(small: Comparison):
     "key", ["area_compared", "volume_above", "volume_below", "rho_V", "rho_delta_V"]
 )
 def test_regions_add_up_to_the_whole(small: Comparison, key: str):
-    found = measured_regions(small, REGIONS)
+    found = measured_regions(small, REGIONS, region_of(small, REGIONS))
     assert [part.region for part in found] == [*REGIONS, None]
     parts = [getattr(part.measures, key) for part in found]
     assert sum(parts) == pytest.approx(getattr(small.measures, key), rel=1e-12)
@@ -85,20 +85,20 @@ def test_regions_add_up_to_the_whole(small: Comparison, key: str):
 
 def test_an_empty_region_has_no_measures(small: Comparison):
     far = Region("far", (0, 0, 0), strokes=(Stroke(((1e6, 0.0),), 1.0),))
-    assert measured_regions(small, (far,))[0].measures is None
-    assert measured_regions(small, ()) == ()
+    assert measured_regions(small, (far,), region_of(small, (far,)))[0].measures is None
+    assert measured_regions(small, (), region_of(small, ())) == ()
 
 
 def test_the_weight_counts_in_one_sum_only(small: Comparison):
-    found = measured_regions(small, REGIONS)
-    measures = weighted(small, REGIONS).measures
+    found = measured_regions(small, REGIONS, region_of(small, REGIONS))
+    measures = weighted(small, REGIONS, region_of(small, REGIONS)).measures
     expected = sum(
         part.measures.rho_V * (part.region.weight if part.region else 1.0) for part in found
     )
     assert measures.rho_V_mu == pytest.approx(expected, rel=1e-12)
     assert replace(measures, rho_V_mu=small.measures.rho_V_mu) == small.measures
     plain = tuple(replace(region, weight=1.0) for region in REGIONS)
-    assert weighted(small, plain) is small
+    assert weighted(small, plain, region_of(small, plain)) is small
 
 
 def test_other_tolerances_change_nothing_else(small: Comparison):

@@ -16,7 +16,15 @@ PLACES = ("panels", "controllers", "views", "jobs", "window.py", "actions.py")
 """Where texts are made; `model` and `scene` know no screen, and no language."""
 MODULES = sorted(p for place in PLACES for p in [APP / place, *(APP / place).glob("*.py")])
 MARKS = {"tr", "translate", "QT_TRANSLATE_NOOP"}
-SILENT = {"setObjectName", "setProperty", "getattr", "QKeySequence", "TypeVar", "environ"}
+SILENT = {
+    "setObjectName",
+    "setProperty",
+    "setStyleSheet",
+    "getattr",
+    "QKeySequence",
+    "TypeVar",
+    "environ",
+}
 """Calls whose texts nobody reads."""
 NOT_READ = re.compile(
     r"^(<|</|;|Ctrl\+|[A-Z]+$|Esc$|Home$|scans?[ /]|icp |spanning trees$|\.ply )"
