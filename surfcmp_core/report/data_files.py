@@ -4,6 +4,7 @@ import json
 from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
@@ -58,22 +59,23 @@ def write_csv(comparison: Comparison, _document: Document, stream: BinaryIO) -> 
 
     x, y is the centroid; `compared` is 1 or 0 and `reason` says why it is 0.
     """
-    import pandas as pd
+    from surfcmp_core.report.rows import rows_of
 
     united = comparison.united
     centroid = united.nodes[united.triangles].mean(axis=1)
-    table = pd.DataFrame(
-        {
-            "x": centroid[:, 0],
-            "y": centroid[:, 1],
-            "area": comparison.area,
-            "mean_abs": comparison.mean_abs,
-            "mean_signed": comparison.mean_signed,
-            **exact_columns(comparison),
-            "origin": united.origin,
-            "chain": united.chain,
-            "compared": comparison.compared.astype(np.uint8),
-            "reason": pd.Categorical.from_codes(comparison.reason.astype(np.int8), REASONS),
-        }
-    )
-    table.to_csv(stream, index=False, lineterminator="\n", encoding="utf-8")
+    reals: dict[str, NDArray[np.float64]] = {
+        "x": centroid[:, 0],
+        "y": centroid[:, 1],
+        "area": comparison.area,
+        "mean_abs": comparison.mean_abs,
+        "mean_signed": comparison.mean_signed,
+        **exact_columns(comparison),
+    }
+    integers: dict[str, NDArray[Any]] = {
+        "origin": united.origin,
+        "chain": united.chain,
+        "compared": comparison.compared,
+    }
+    stream.write(",".join([*reals, *integers, "reason"]).encode() + b"\n")
+    for rows in rows_of([*reals.values()], [*integers.values()], comparison.reason, REASONS):
+        stream.write(rows)
