@@ -50,8 +50,11 @@ class Actions(QObject):
         self.recent = file.addMenu(self.tr("&Recent"))
         self.recent.aboutToShow.connect(self._list_recent)
         file.addSeparator()
-        saving = self.tr("&Save the session…")
-        self._add(file, saving, lambda: window.sessions.ask_save(), "Ctrl+S")
+        self._add(
+            file, self.tr("&Save the session"), lambda: window.sessions.save_again(), "Ctrl+S"
+        )
+        elsewhere = self.tr("Save the session as…")
+        self._add(file, elsewhere, lambda: window.sessions.ask_save(), "Ctrl+Shift+S")
         self._add(file, self.tr("Open a session…"), lambda: window.sessions.ask_open())
         self.export = file.addMenu(self.tr("&Export"))
         for ending, name in KINDS.items():
@@ -64,6 +67,7 @@ class Actions(QObject):
         self.export.addSeparator()
         self.hide = self._add(self.export, self.tr("Hide names and paths"), self._hide_names)
         self.hide.setCheckable(True)
+        self.hide.setChecked(settings.names_hidden())
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
@@ -192,7 +196,7 @@ class Actions(QObject):
         self._window.exporting.ask_views(density)
 
     def _hide_names(self) -> None:
-        self._window.exporting.hide_names = self.hide.isChecked()
+        settings.hide_names(self.hide.isChecked())
 
     def _fill(self, view: int | None) -> None:
         self._window.display.change(filled=view)

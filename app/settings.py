@@ -64,3 +64,13 @@ def remember_layout(geometry: QByteArray, arrangement: QByteArray) -> None:
     store = _store()
     store.setValue("geometry", geometry)
     store.setValue("arrangement", arrangement)
+
+
+def names_hidden() -> bool:
+    """Return whether exports leave out names and paths of files."""
+    return str(_store().value("names hidden")) == "true"
+
+
+def hide_names(hidden: bool) -> None:
+    """Keep whether exports leave out names and paths of files."""
+    _store().setValue("names hidden", "true" if hidden else "false")

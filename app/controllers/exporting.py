@@ -24,10 +24,14 @@ class Exporting(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        self.hide_names = False
         self.runner = Runner()
         self.runner.finished.connect(self._finished)
         self.runner.failed.connect(window.banner.tell)
+
+    @property
+    def hide_names(self) -> bool:
+        """Whether names and paths of files are left out."""
+        return self._window.actions_of.hide.isChecked()
 
     def ask(self, ending: str) -> None:
         """Ask for a file with this ending and write it."""

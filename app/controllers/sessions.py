@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from app.window import MainWindow
 
 AUTOSAVE_MILLISECONDS = 3000
+Paths = tuple[Path | None, Path | None]
 SMALL = 64 << 20
 """Scans of so many bytes in all are put into the session unless the user says otherwise."""
 
@@ -38,10 +39,20 @@ class Sessions(QObject):
         for runner in (self.saving, self.opening):
             runner.failed.connect(window.banner.tell)
         self._located: Located = {}
+        self._place: tuple[Path, Paths, bool] | None = None
+        """Where the session lies, which surfaces it is about, whether it holds their scans."""
         self._later = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
         self._later.timeout.connect(self._save_now)
         window.session.changed.connect(self._later.start)
         window.display.changed.connect(self._later.start)
+
+    def save_again(self) -> None:
+        """Save the session where it was saved or opened; ask where it is another pair's."""
+        paths = self._window.session.document.paths
+        if self._place is not None and self._place[1] == paths:
+            self.save(self._place[0], embed=self._place[2])
+        else:
+            self.ask_save()
 
     def ask_save(self) -> None:
         """Ask where to, and whether with the scans, and save the session."""
@@ -66,6 +77,7 @@ class Sessions(QObject):
         if not document.complete:
             self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
+        self._place = (path, document.paths, embed)
         work = partial(save_session, path, document, state, self._hashes(), embed)
         self.saving.start(work)
 
@@ -111,7 +123,7 @@ class Sessions(QObject):
     def _scans(self) -> Path:
         return self.autosave.parent / "scans"
 
-    def _adopt(self, paths: tuple[Path | None, Path | None]) -> None:
+    def _adopt(self, paths: Paths) -> None:
         """Take care of those files that were unpacked from a session."""
         folders = {path.parent for path in paths if path is not None}
         self._unpacked |= {folder for folder in folders if folder.parent == self._scans}
@@ -129,6 +141,8 @@ class Sessions(QObject):
             return
         self._adopt(opened.document.paths)
         self._window.banner.hide()
+        if opened.path.parent != self.autosave.parent:
+            self._place = (opened.path, opened.document.paths, opened.embedded)
         self._window.session.restore(opened.document, opened.state)
 
     def _ask_for_scan(self, path: Path, fault: Fault) -> None:

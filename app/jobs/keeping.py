@@ -54,6 +54,8 @@ class Opened:
     document: Document
     state: ViewState
     fault: Fault | None = None
+    embedded: bool = False
+    """Whether the session holds its scans."""
 
 
 def save_session(
@@ -146,7 +148,8 @@ def _open(
         if isinstance(found, Fault):
             return Opened(path, saved.document, saved.state, found)
         paths[number - 1] = found
-    return Opened(path, replace(saved.document, paths=(paths[0], paths[1])), saved.state)
+    document = replace(saved.document, paths=(paths[0], paths[1]))
+    return Opened(path, document, saved.state, embedded=archive is not None)
 
 
 def _saved(path: Path, archive: zipfile.ZipFile | None) -> Saved:

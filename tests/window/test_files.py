@@ -120,6 +120,38 @@ def test_a_session_is_saved_with_or_without_its_scans(
     assert zipfile.is_zipfile(path) == (kind == 0)
 
 
+def test_a_session_is_saved_again_where_it_lies(
+    window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot, monkeypatch
+):
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        drop(window, *files)
+    path, asked = tmp_path / "x.surfcmp", []
+
+    def answer(*_: object) -> tuple[str, str]:
+        asked.append(path)
+        return str(path), ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", answer)
+    for heatmap in (Heatmap.TRUST, Heatmap.HEIGHT_1):
+        window.display.change(heatmap=heatmap)
+        with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
+            qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+        assert json.loads(path.read_text())["view"]["heatmap"] == heatmap
+    assert len(asked) == 1
+    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+        window.opening.swap_surfaces()
+    with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
+        qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert len(asked) == 2
+
+
+def test_nothing_is_saved_without_surfaces(window: MainWindow, tmp_path: Path):
+    window.sessions.ask_save()
+    assert window.banner.isVisible()
+    window.sessions.save(tmp_path / "x.surfcmp")
+    assert not window.sessions.saving.busy
+
+
 def test_unpacked_scans_go_with_the_window(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
