@@ -17,6 +17,9 @@ _BESIDE_FIRST = 1.0
 _BESIDE = 2.0
 """A node this many local spacings beside its partner lies beyond the border; at first, while all
 is out of place, fewer."""
+_NEAR_FIRST = 1e-3
+_NEAR = 1e-5
+"""Nodes are in place once none moves by more than this share of the extent; for a start, sooner."""
 
 
 def best_fit(
@@ -82,10 +85,12 @@ def best_fit(
     rounds = 0
     if overlap_only:
         smaller = sides[0].extent < sides[1].extent
-        first = _fit(sides, smaller, motion, _BESIDE_FIRST, lambda s: progress("align", s / 2.0))
+        first = _fit(
+            sides, smaller, motion, _BESIDE_FIRST, _NEAR_FIRST, lambda s: progress("align", s / 2.0)
+        )
         motion, rounds = first.motion, first.iterations
     coarser = bool(np.median(sides[0].spacing) > np.median(sides[1].spacing))
-    found = _fit(sides, coarser, motion, _BESIDE if overlap_only else None, onto_finer)
+    found = _fit(sides, coarser, motion, _BESIDE if overlap_only else None, _NEAR, onto_finer)
     matrix = found.motion.copy()
     matrix[:3, 3] += origin - matrix[:3, :3] @ origin
     return Alignment(
@@ -104,12 +109,13 @@ def _fit(
     first_moves: bool,
     motion: NDArray[np.float64],
     beside: float | None,
+    near: float,
     progress: Callable[[float], None],
 ) -> Found:
     """Find the motion of surface 2, by moving either of the two."""
     if not first_moves:
-        return closest_points(*sides, motion, beside, progress)
-    found = closest_points(sides[1], sides[0], _inverse(motion), beside, progress)
+        return closest_points(*sides, motion, beside, near, progress)
+    found = closest_points(sides[1], sides[0], _inverse(motion), beside, near, progress)
     return replace(found, motion=_inverse(found.motion))
 
 

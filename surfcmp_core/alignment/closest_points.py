@@ -12,9 +12,11 @@ from surfcmp_core.errors import InputError
 _FAR = 3.0
 """Nodes farther off than this many standard deviations (by the median) do not count, and those
 near that limit count little: Tukey's biweight."""
-_ROUNDS = 50
-_STILL = 1e-5
-"""A round that moves no node by more than this share of the extent is the last."""
+_ROUNDS = 100
+_ALONG = 0.9
+"""Cosine between the steps of two rounds from which on they lead along one way."""
+_LEAP = 5.0
+"""So many times its length a step along the same way as the one before may be made at most."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,9 +36,13 @@ def closest_points(
     moving: Side,
     motion: NDArray[np.float64],
     beside: float | None,
+    near: float,
     progress: Callable[[float], None],
 ) -> Found:
     """Move one surface onto another, round by round.
+
+    Where rounds go on slowly along one way, every other one goes as far as the steps, shrinking as
+    they did, would lead in the end.
 
     Parameters
     ----------
@@ -46,6 +52,8 @@ def closest_points(
     beside : float or None
         Partners are rejected on a border, and where the node lies more than this many local
         spacings to the side: it lies beyond the border there. None: all count, however far off.
+    near : float
+        A round that moves no node by more than this share of the extent is the last.
     progress : callable
         Told the share of the rounds allowed.
 
@@ -61,6 +69,8 @@ def closest_points(
     nodes = moving.moving
     extent = moving.extent
     trusted = fixed.may if beside is None else fixed.inner
+    way_scale = np.repeat([extent / 2.0, 1.0], 3)  # turns become ways of the outer nodes
+    before: NDArray[np.float64] | None = None
     still = False
     rounds = 0
     while True:
@@ -87,9 +97,12 @@ def closest_points(
         if still or rounds == _ROUNDS:
             residual = float(np.sqrt((off[inlier] ** 2).mean()))
             return Found(motion, residual, count, float(paired.mean()), rounds, still)
-        step = _step(at[inlier], normal[inlier], off[inlier], weight[inlier])
-        still = float(np.abs(at @ step[:3, :3].T + step[:3, 3] - at).max()) <= _STILL * extent
-        motion = step @ motion
+        turn_and_shift = _step(at[inlier], normal[inlier], off[inlier], weight[inlier])
+        step = _motion(turn_and_shift)
+        still = float(np.abs(at @ step[:3, :3].T + step[:3, 3] - at).max()) <= near * extent
+        leap = 1.0 if still else _leap(turn_and_shift * way_scale, before)
+        before = turn_and_shift * way_scale if leap == 1.0 else None
+        motion = (step if leap == 1.0 else _motion(leap * turn_and_shift)) @ motion
         rounds += 1
         progress(rounds / _ROUNDS)
 
@@ -100,12 +113,25 @@ def _step(
     off: NDArray[np.float64],
     weight: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Give the small motion that brings nodes nearest to their partners' planes."""
+    """Give the small turn and shift that bring nodes nearest to their partners' planes."""
     slopes = np.column_stack((np.cross(at, normal), normal))
     # what no node resists (the turn of a sphere) stays as it is: least squares of least norm
-    turn_and_shift = -np.linalg.pinv((slopes.T * weight) @ slopes, 1e-12, hermitian=True) @ (
+    return -np.linalg.pinv((slopes.T * weight) @ slopes, 1e-12, hermitian=True) @ (
         slopes.T @ (weight * off)
     )
+
+
+def _leap(way: NDArray[np.float64], before: NDArray[np.float64] | None) -> float:
+    """Tell how many times its length a step may be made, after the step before."""
+    if before is None:
+        return 1.0
+    length, last = float(np.linalg.norm(way)), float(np.linalg.norm(before))
+    if not way @ before > _ALONG * length * last:
+        return 1.0
+    return _LEAP if length >= last else min(1.0 / (1.0 - length / last), _LEAP)
+
+
+def _motion(turn_and_shift: NDArray[np.float64]) -> NDArray[np.float64]:
     x, y, z = turn_and_shift[:3] / 2.0
     half = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     step = np.eye(4)

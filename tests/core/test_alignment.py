@@ -278,3 +278,19 @@ def test_borders_of_real_scans_do_not_draw(shared):
     angle, distance = left_over(best_fit(upper, moved(lower, motion)).matrix, motion, centre)
     assert angle < 0.04
     assert distance < 0.02
+
+
+@pytest.mark.parametrize("seed", [0, 6])
+def test_unlike_jaws_turned_about_a_far_centre_settle(shared, seed):
+    # step by step they would creep along for more than sixty rounds
+    reference, predicted = (scan(shared, f"jaw_crowns_{name}_L0") for name in ("ref", "pred"))
+    rng = np.random.default_rng(seed)
+    centre = reference.points.mean(axis=0)
+    motion = any_motion(rng, 5.0, 0.0, centre + rng.normal(size=3) * 30.0)
+    near, far = best_fit(reference, predicted), best_fit(reference, moved(predicted, motion))
+    assert near.converged
+    assert far.converged
+    assert far.iterations < 40
+    degrees, distance = left_over(far.matrix @ motion, np.linalg.inv(near.matrix), centre)
+    assert degrees < 0.01
+    assert distance < 0.01
