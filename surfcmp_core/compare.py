@@ -185,12 +185,17 @@ def compare(
                 triangulations[this], triangulations[other].nodes, ends[other]
             )
         with clock.stage("measures"):
-            points = [np.column_stack((grid.nodes, grid.z)) for grid in grids]
-            triangles = triangulations[this].start.reshape(-1, 3)
-            farthest = hausdorff(points[other], points[this], triangles, found)
+            farthest = hausdorff(
+                grids[other].nodes,
+                grids[other].z,
+                grids[this].nodes,
+                grids[this].z,
+                triangulations[this],
+                found,
+            )
         with clock.stage("interpolate"):
             limit = None if max_edge is None else max_edge * scale
-            footprint = footprint_of(grids[this], triangulations[this], ends[this], limit)
+            footprint = footprint_of(grids[this], triangulations[this], ends[this], domain, limit)
         return found, farthest, footprint
 
     # merging needs none of the three, nor they it (the paper, after the stages)

@@ -4,6 +4,7 @@ A kernel trusts its input: public functions validate. Floating point stays stric
 re-association, no contraction), for the predicates are exact only then.
 """
 
+import sys
 from collections.abc import Callable
 from typing import Any, cast
 
@@ -14,6 +15,19 @@ from surfcmp_core._cache import use_own_cache
 use_own_cache()  # which numba would not ask about once it is imported
 
 from numba import njit  # noqa: E402
+
+
+def _use_no_blas() -> None:
+    """Keep numba from importing SciPy's linear algebra, which no kernel asks for, in 0.15 s."""
+    name = "scipy.linalg.cython_blas"
+    if name not in sys.modules:
+        sys.modules[name] = None  # type: ignore[assignment]
+        import numba.np.arraymath  # noqa: F401
+
+        del sys.modules[name]
+
+
+_use_no_blas()
 
 
 def kernel[F: Callable[..., Any]](function: F) -> F:

@@ -20,7 +20,11 @@ from surfcmp_core.united import United
 
 
 def footprint_of(
-    grid: Grid, triangulation: Triangulation, tree: NDArray[np.int32], max_edge: float | None
+    grid: Grid,
+    triangulation: Triangulation,
+    tree: NDArray[np.int32],
+    domain: Domain,
+    max_edge: float | None,
 ) -> Footprint:
     """Find where a surface has data: a mesh under its faces, a cloud over its short edges.
 
@@ -31,6 +35,8 @@ def footprint_of(
         Of the grid's nodes; its coordinates are those of the result.
     tree : (n - 1, 2) int32
         Its spanning tree.
+    domain : Domain
+        Other than "data": all of the hull, nobody asks where it has gaps.
     max_edge : float or None
         Of a cloud, see :func:`surfcmp_core.domain.footprint_of_cloud`.
 
@@ -38,6 +44,8 @@ def footprint_of(
     -------
     Footprint
     """
+    if domain != "data":
+        return footprint_of_cloud(triangulation, tree, np.inf)
     if grid.faces is not None:
         return footprint_of_mesh(triangulation, grid.faces)
     return footprint_of_cloud(triangulation, tree, max_edge)
@@ -115,6 +123,7 @@ def triangles_with_data(comparison: Comparison, which: int) -> NDArray[np.bool_]
         comparison.grids[which],
         comparison.triangulations[which],
         number[tree],
+        "data",
         comparison.options.max_edge,
     )
     return found.covered

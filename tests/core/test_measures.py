@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core.measures import Measures, TriangleValues, hausdorff, measure, triangle_areas
+from surfcmp_core.triangulation import triangulate
 
 Floats = NDArray[np.float64]
 Function = Callable[[Floats, Floats], Floats]
@@ -422,20 +423,39 @@ def test_surface_over_much_height_keeps_small_differences() -> None:
     assert numbers(lifted) == numbers(found)
 
 
-@given(st.integers(1, 30), st.integers(1, 30), st.integers(0, 1000))
-def test_hausdorff_against_all_pairs(n1: int, n2: int, seed: int) -> None:
+def _hausdorff(one: Floats, two: Floats, seed: int = 0) -> float:
+    """Ask for it where each node is said to lie anywhere."""
+    other = triangulate(two[:, :2].copy())
+    found = np.random.default_rng(seed).integers(0, len(other.start) // 3, len(one))
+    return hausdorff(
+        one[:, :2].copy(),
+        one[:, 2].copy(),
+        two[:, :2].copy(),
+        two[:, 2].copy(),
+        other,
+        found.astype(np.int32),
+    )
+
+
+def _by_all_pairs(one: Floats, two: Floats) -> float:
+    distance = np.linalg.norm(one[:, None] - two[None], axis=2)
+    return float(distance.min(axis=1).max())
+
+
+@given(
+    st.integers(1, 30), st.integers(3, 30), st.sampled_from([0.0, 0.1, 10.0]), st.integers(0, 99)
+)
+def test_hausdorff_against_all_pairs(n1: int, n2: int, height: float, seed: int) -> None:
     rng = np.random.default_rng(seed)
     one, two = rng.normal(size=(n1, 3)), rng.normal(size=(n2, 3))
-    distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    triangles = rng.integers(0, n2, (5, 3)).astype(np.int32)
-    triangles[0, 2] = -1
-    found = hausdorff(one, two, triangles, rng.integers(0, 5, n1).astype(np.int32))
-    assert found == pytest.approx(distance.min(axis=1).max())
+    one[:, 2] *= height
+    assert _hausdorff(one, two, seed) == pytest.approx(_by_all_pairs(one, two))
 
 
-def test_hausdorff_of_more_nodes_than_a_batch() -> None:
+@pytest.mark.parametrize("height", [0.0, 5.0, 50.0])
+def test_hausdorff_of_more_nodes_than_a_batch(height: float) -> None:
+    # far from each other most nodes are looked up in the k-d tree
     rng = np.random.default_rng(0)
-    one, two = rng.normal(size=(9000, 3)), rng.normal(size=(50, 3))
-    distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    found = hausdorff(one, two, np.zeros((1, 3), np.int32), np.zeros(9000, np.int32))
-    assert found == pytest.approx(distance.min(axis=1).max())
+    one, two = rng.normal(size=(9000, 3)), rng.normal(size=(500, 3))
+    one[:, 2] += height
+    assert _hausdorff(one, two) == pytest.approx(_by_all_pairs(one, two))
