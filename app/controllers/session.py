@@ -14,6 +14,7 @@ from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.history import History, Step
 from app.model.view_state import KEPT, ViewState
+from app.scene.camera import Camera
 
 MERGED_SECONDS = 0.6
 """Changes of the scale that follow each other so fast are one drag, and one step."""
@@ -41,7 +42,8 @@ class Session(QObject):
         self.shown: Compared | None = None
         self._follows = False
         """Whether changes of the view follow from a comparison."""
-        self._loaded: ViewState | None = None
+        self._loaded: tuple[ViewState, Camera | None] | None = None
+        """The view of a session that is opened."""
         self._restores = False
         """Whether the view of the step is to be restored with its comparison."""
         self._last = 0.0
@@ -80,10 +82,10 @@ class Session(QObject):
             self._follow(view)
             self._run()
 
-    def restore(self, document: Document, state: ViewState) -> None:
-        """Put a document in force that was looked at in this way."""
+    def restore(self, document: Document, state: ViewState, camera: Camera | None = None) -> None:
+        """Put a document in force that was looked at in this way, from there."""
         self._push(Step(document, state.kept))
-        self._loaded, self._restores = state, True
+        self._loaded, self._restores = (state, camera), True
         self._run()
 
     def undo(self) -> None:
@@ -144,7 +146,7 @@ class Session(QObject):
 
     def _restore(self, view: ViewState) -> None:
         """Look at what is shown as its step says."""
-        state = self._loaded or self._display.state
+        state, camera = self._loaded or (self._display.state, None)
         state = replace(state, **{name: getattr(view, name) for name in KEPT})
         self._loaded, self._restores = None, False
         if self.shown is not None:
@@ -152,6 +154,8 @@ class Session(QObject):
         changes = {name: getattr(state, name) for name in ViewState.__slots__}
         del changes["dark"], changes["filled"]
         self._follow(changes)
+        if camera is not None:
+            self._display.fly(camera)
 
     def _follow(self, changes: dict[str, Any]) -> None:
         """Change the view as a part of the current step."""

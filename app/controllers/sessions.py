@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QFileDialog
 
 from app.jobs.keeping import Fault, Located, Opened, open_session, save_session
 from app.jobs.runner import Runner
-from app.model.session_file import ENDING, from_text, to_text, write
+from app.model.session_file import ENDING, Eye, from_text, to_text, write
+from app.scene.camera import Camera
 from surfcmp_core.errors import InputError
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ class Sessions(QObject):
             self._window, self.tr("Save the session"), f"comparison{ENDING}", ";;".join(kinds)
         )
         if name:
-            self.save(Path(name).with_suffix(ENDING), embed=kind == text)
+            self.save(Path(name).with_suffix(ENDING), embed=(kind or kinds[0]) == text)
 
     def save(self, path: Path, *, embed: bool = True) -> None:
         """Save the session beside the window, completely or not at all."""
@@ -78,7 +79,7 @@ class Sessions(QObject):
             self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
         self._place = (path, document.paths, embed)
-        work = partial(save_session, path, document, state, self._hashes(), embed)
+        work = partial(save_session, path, document, state, self._hashes(), self._eye(), embed)
         self.saving.start(work)
 
     def ask_open(self) -> None:
@@ -143,7 +144,11 @@ class Sessions(QObject):
         self._window.banner.hide()
         if opened.path.parent != self.autosave.parent:
             self._place = (opened.path, opened.document.paths, opened.embedded)
-        self._window.session.restore(opened.document, opened.state)
+        camera = None
+        if opened.camera is not None:
+            focus, back, up, (height,) = opened.camera
+            camera = Camera(_three(focus), _three(back), _three(up), height)
+        self._window.session.restore(opened.document, opened.state, camera)
 
     def _ask_for_scan(self, path: Path, fault: Fault) -> None:
         """Say what is amiss with a scan, and offer what can be done."""
@@ -176,11 +181,15 @@ class Sessions(QObject):
         try:
             folder.mkdir(parents=True, exist_ok=True)
             state = self._window.display.state
-            write(
-                self.autosave, to_text(session.document, state, self._hashes(), folder.absolute())
-            )
+            here = folder.absolute()
+            text = to_text(session.document, state, self._hashes(), here, self._eye())
+            write(self.autosave, text)
         except OSError:
             self._later.stop()  # a full disk must not disturb the work
+
+    def _eye(self) -> Eye:
+        camera = self._window.display.camera
+        return camera.focus, camera.back, camera.up, (camera.height,)
 
     def _hashes(self) -> tuple[str, str]:
         """Return the SHA-256 of the inputs, empty where they were not read yet."""
@@ -190,3 +199,8 @@ class Sessions(QObject):
             return "", ""
         one, two = (surface.sha256 for surface in shown.comparison.surfaces)
         return one, two
+
+
+def _three(numbers: tuple[float, ...]) -> tuple[float, float, float]:
+    x, y, z = numbers
+    return x, y, z

@@ -18,7 +18,7 @@ from typing import IO, BinaryIO, Literal
 from PySide6.QtCore import QCoreApplication
 
 from app.model.document import Document
-from app.model.session_file import Saved, Scan, from_text, to_text
+from app.model.session_file import Eye, Saved, Scan, from_text, to_text
 from app.model.view_state import ViewState
 from surfcmp_core.errors import InputError
 from surfcmp_core.progress import Progress
@@ -56,6 +56,7 @@ class Opened:
     fault: Fault | None = None
     embedded: bool = False
     """Whether the session holds its scans."""
+    camera: Eye | None = None
 
 
 def save_session(
@@ -63,6 +64,7 @@ def save_session(
     document: Document,
     state: ViewState,
     hashes: tuple[str, str],
+    camera: Eye | None,
     embed: bool,
     progress: Progress,
 ) -> Path:
@@ -86,7 +88,7 @@ def save_session(
         "" if scan is None else sha or _sha256(scan, progress)
         for scan, sha in zip(document.paths, hashes, strict=True)
     ]
-    text = to_text(document, state, (found[0], found[1]), path.parent.absolute())
+    text = to_text(document, state, (found[0], found[1]), path.parent.absolute(), camera)
     temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with temporary.open("wb") as stream:
@@ -149,7 +151,7 @@ def _open(
             return Opened(path, saved.document, saved.state, found)
         paths[number - 1] = found
     document = replace(saved.document, paths=(paths[0], paths[1]))
-    return Opened(path, document, saved.state, embedded=archive is not None)
+    return Opened(path, document, saved.state, embedded=archive is not None, camera=saved.camera)
 
 
 def _saved(path: Path, archive: zipfile.ZipFile | None) -> Saved:

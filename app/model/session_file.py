@@ -19,6 +19,10 @@ VERSION = 2
 ENDING = ".surfcmp"
 
 
+Eye = tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...], tuple[float]]
+"""Of a camera: x, y, z of its focus, of the way back to the eye, of upwards; its height."""
+
+
 @dataclass(frozen=True, slots=True)
 class Scan:
     """An input as the session knows it.
@@ -44,9 +48,16 @@ class Saved:
     document: Document
     state: ViewState
     scans: tuple[Scan | None, Scan | None]
+    camera: Eye | None = None
 
 
-def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folder: Path) -> str:
+def to_text(
+    document: Document,
+    state: ViewState,
+    hashes: tuple[str, str],
+    folder: Path,
+    camera: Eye | None = None,
+) -> str:
     """Return the session as JSON.
 
     Parameters
@@ -55,6 +66,8 @@ def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folde
         SHA-256 of the inputs, to notice when a file has changed; empty where unknown.
     folder : Path
         Where the session will lie: inputs are also named relative to it.
+    camera : Eye or None
+        Where it was looked from.
     """
     inputs = [
         None
@@ -73,6 +86,7 @@ def to_text(document: Document, state: ViewState, hashes: tuple[str, str], folde
             "project": document.project,
             "regions": [asdict(region) for region in document.regions],
             "view": {**asdict(state), "filled": None},
+            "camera": camera,
         },
         indent=1,
     )
@@ -101,7 +115,7 @@ def from_text(text: str, folder: Path, name: str) -> Saved:
             project=str(data["project"]),
             regions=tuple(_region(region) for region in data["regions"]),
         )
-        return Saved(document, _state(data["view"]), (one, two))
+        return Saved(document, _state(data["view"]), (one, two), _eye(data.get("camera")))
     except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
         raise InputError(f"{name}: not a session of this program ({error})") from error
 
@@ -160,6 +174,15 @@ def _state(data: dict[str, Any]) -> ViewState:
         probes=tuple(Place(**place) for place in fields["probes"]),
         landmarks=tuple(Pair(**pair) for pair in fields.get("landmarks", ())),
     )
+
+
+def _eye(given: Any) -> Eye | None:
+    if given is None:
+        return None
+    focus, back, up, (height,) = (tuple(float(x) for x in part) for part in given)
+    if not (len(focus) == len(back) == len(up) == 3 and height > 0):
+        raise ValueError("a camera of another kind")
+    return focus, back, up, (height,)
 
 
 def _scan(given: dict[str, str] | None, folder: Path) -> Scan | None:

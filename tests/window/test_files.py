@@ -58,7 +58,8 @@ def test_a_session_restores_everything(
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         sample.alignment.nudged.emit("z", 0.25)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0))
-    document, state = sample.session.document, sample.display.state
+    sample.display.press(int(Qt.Key.Key_Left), False)
+    document, state, camera = sample.session.document, sample.display.state, sample.display.camera
     path = tmp_path / "x.surfcmp"
     with qtbot.waitSignal(sample.sessions.saving.finished, timeout=PATIENCE):
         sample.sessions.save(path)
@@ -69,6 +70,7 @@ def test_a_session_restores_everything(
         drop(sample, path)
     assert sample.session.document == document
     assert sample.display.state == state
+    assert sample.display.camera == camera
     assert sample.alignment.pairs.text() == "Now click the same place on surface 2."
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         sample.actions_of.undo.trigger()
@@ -129,8 +131,9 @@ def test_a_session_is_saved_again_where_it_lies(
 
     def answer(*_: object) -> tuple[str, str]:
         asked.append(path)
-        return str(path), ""
+        return str(path), kinds_without_scans
 
+    kinds_without_scans = "Session without its scans (*.surfcmp)"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", answer)
     for heatmap in (Heatmap.TRUST, Heatmap.HEIGHT_1):
         window.display.change(heatmap=heatmap)

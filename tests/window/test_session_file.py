@@ -13,7 +13,7 @@ from app.jobs.keeping import open_session, save_session
 from app.model.document import Document, Motion
 from app.model.pair import Pair
 from app.model.region import Region, Stroke
-from app.model.session_file import from_text, regions_from, regions_text, to_text, write
+from app.model.session_file import Eye, from_text, regions_from, regions_text, to_text, write
 from app.model.view_state import Heatmap, Place, Scale, ViewState
 from surfcmp_core.comparison import Options
 from surfcmp_core.errors import Cancelled, InputError
@@ -64,12 +64,13 @@ states = st.builds(
 )
 
 
-@given(documents, states)
-def test_a_session_comes_back_as_it_was(document: Document, state: ViewState):
-    text = to_text(document, state, ("a", "b"), Path("/data"))
+@given(documents, states, st.none() | st.tuples(triple, triple, triple, st.tuples(positive)))
+def test_a_session_comes_back_as_it_was(document: Document, state: ViewState, eye: Eye | None):
+    text = to_text(document, state, ("a", "b"), Path("/data"), eye)
     saved = from_text(text, Path("/data"), "x.surfcmp")
     assert saved.document == document
     assert saved.state == state
+    assert saved.camera == eye
     hashes = tuple("" if scan is None else scan.sha256 for scan in saved.scans)
     assert hashes == ("a" if document.paths[0] else "", "b" if document.paths[1] else "")
 
@@ -117,7 +118,7 @@ def pair(tmp_path: Path) -> Document:
 
 
 def saved(document: Document, path: Path, *, embed: bool) -> Path:
-    return save_session(path, document, ViewState(relief=False), ("", ""), embed, silent)
+    return save_session(path, document, ViewState(relief=False), ("", ""), None, embed, silent)
 
 
 @pytest.mark.parametrize("embed", [True, False])
@@ -186,14 +187,14 @@ def test_saving_stops_without_a_trace(pair: Document, tmp_path: Path, embed: boo
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        save_session(path, pair, ViewState(), ("", ""), embed, stop)
+        save_session(path, pair, ViewState(), ("", ""), None, embed, stop)
     assert path.read_text() == "before"
     assert not [file for file in tmp_path.iterdir() if file.name.endswith(".part")]
 
 
 def test_a_scan_that_changed_since_it_was_compared_is_not_put_in(pair: Document, tmp_path: Path):
     with pytest.raises(InputError, match=r"^a\.xyz: has changed"):
-        save_session(tmp_path / "x.surfcmp", pair, ViewState(), ("0" * 64, ""), True, silent)
+        save_session(tmp_path / "x.surfcmp", pair, ViewState(), ("0" * 64, ""), None, True, silent)
     assert not (tmp_path / "x.surfcmp").exists()
 
 
