@@ -36,8 +36,13 @@ def screenshot(
     window.resize(size or QSize(1400, 1000))
     window.show()
     done: list[bool] = []
+    last: list[Pictures] = []
 
     def finish() -> None:
+        display, wish = window.display, last[-1].wish
+        if (wish.state.drawn, wish.camera) != (display.state.drawn, display.camera):
+            settled.start()  # other pictures are on their way
+            return
         done.append(window.grab().save(str(out)))
         window.close()
         app.quit()
@@ -47,7 +52,9 @@ def screenshot(
 
     def shown(pictures: Pictures) -> None:
         nonlocal before
+        last[:] = [pictures]
         if not pictures.final:
+            settled.stop()
             return
         if before is not None:
             change, before = before, None

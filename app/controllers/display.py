@@ -191,7 +191,8 @@ class Display(QObject):
         """Call `use` while the views hold pictures with `density` times the screen's pixels."""
         if self.content is None or self._studio is None:
             return
-        wish = Wish(self.content, self.state, self.camera, self._grid.sizes(), moving=False)
+        ratio, sizes = self._grid.devicePixelRatioF(), self._grid.sizes()
+        wish = Wish(self.content, self.state, self.camera, sizes, moving=False, ratio=ratio)
         self._studio.print(Print(wish, density, lambda images: self._printed.emit(images, use)))
 
     def _use_print(self, images: dict[int, QImage], use: Callable[[], object]) -> None:
@@ -285,7 +286,8 @@ class Display(QObject):
             return
         self.warm_up()
         assert self._studio is not None
-        self._studio.show(Wish(self.content, self.state, self._camera, self._grid.sizes(), moving))
+        ratio, sizes = self._grid.devicePixelRatioF(), self._grid.sizes()
+        self._studio.show(Wish(self.content, self.state, self._camera, sizes, moving, ratio))
 
     def _receive(self, pictures: Pictures) -> None:
         if self._studio is None:  # closed while these were on their way

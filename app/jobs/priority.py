@@ -4,8 +4,11 @@ import os
 import sys
 import threading
 
-DRAWING, COMPUTING = 5, 10
-"""How far pictures and computations step back behind the window's own thread."""
+DRAWING, COMPUTING = 1, 3
+"""How far pictures and computations step back behind the window's own thread.
+
+A little is enough; more would starve them beside other programs.
+"""
 
 
 def give_way(steps: int) -> None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from app.scene.chain_table import ChainTable
 
 Index = QModelIndex | QPersistentModelIndex
+LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -60,6 +61,8 @@ class ChainModel(QAbstractTableModel):
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         if orientation != Qt.Orientation.Horizontal:
             return None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return LEFT if section == 1 else RIGHT
         if role == Qt.ItemDataRole.DisplayRole:
             mark = {self._sorted[0]: " ▾" if self._sorted[1] else " ▴"}
             return self._names()[section] + mark.get(section, "")
@@ -94,8 +97,8 @@ class ChainModel(QAbstractTableModel):
         chain = self.chain(index.row())
         if role == Qt.ItemDataRole.DisplayRole:
             return self._text(chain, index.column())
-        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() != 1:
-            return RIGHT
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return LEFT if index.column() == 1 else RIGHT
         if role == Qt.ItemDataRole.DecorationRole and index.column() == 0:
             swatch = QImage(10, 10, QImage.Format.Format_RGB32)
             swatch.fill(QColor(*self._colours[chain].tolist()))
@@ -162,6 +165,9 @@ class ChainsPanel(Panel):
         self.table.verticalHeader().setDefaultSectionSize(3 * UNIT)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setResizeContentsPrecision(0)  # only the rows to be seen
+        for number in (0, 1, 2):
+            header.setSectionResizeMode(number, QHeaderView.ResizeMode.ResizeToContents)
         header.setDefaultAlignment(RIGHT)
         header.setSortIndicator(2, Qt.SortOrder.DescendingOrder)
         self.table.setSortingEnabled(True)

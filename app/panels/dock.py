@@ -16,10 +16,12 @@ class Shaft(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(panel)
+        self._panel = panel
 
     @override
     def minimumSizeHint(self) -> QSize:
-        wide = self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        bar = self.verticalScrollBar().sizeHint().width()
+        wide = self._panel.minimumSizeHint().width() + bar
         return QSize(max(wide, 40 * UNIT), 14 * UNIT)
 
     @override

@@ -111,4 +111,4 @@ class ViewFrame(QFrame):
         wide = self.bar.sizeHint().width() if self.bar.isVisibleTo(self.canvas) else 0
         self.bar.setGeometry(width - wide - UNIT, UNIT, wide, tall)
         self.legend.move(UNIT, UNIT)
-        self.length.move(0, height - self.length.height() - UNIT // 2)
+        self.length.move(UNIT, height - self.length.height() - UNIT)

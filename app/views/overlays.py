@@ -41,7 +41,7 @@ class Overlay(QWidget):
     def _text(self) -> QColor:
         return QColor(self._theme.text if self._theme else "black")
 
-    def _plate(self, painter: QPainter, opacity: float = 0.82) -> None:
+    def _plate(self, painter: QPainter, opacity: float = 0.88) -> None:
         ground = QColor(self._theme.panel if self._theme else "white")
         ground.setAlphaF(opacity)
         painter.setPen(Qt.PenStyle.NoPen)
@@ -203,7 +203,7 @@ class LengthBar(Overlay):
         self._unit = unit
         metrics = QFontMetricsF(self.font())
         width = max(self._pixels, metrics.horizontalAdvance(self._label())) + 2 * UNIT
-        self.resize(round(width), round(metrics.height() + UNIT))
+        self.resize(round(width), round(metrics.height() + 2 * UNIT))
         self.update()
 
     def _label(self) -> str:
@@ -212,12 +212,13 @@ class LengthBar(Overlay):
     @override
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = self._begin()
+        self._plate(painter, 0.7)
         metrics = QFontMetricsF(self.font())
         left = float(UNIT)
-        y = self.height() - UNIT / 2
+        y = self.height() - UNIT
         text = self._text()
         painter.setPen(QPen(text, 1.5))
         painter.drawLine(QPointF(left, y), QPointF(left + self._pixels, y))
         for x in (left, left + self._pixels):
             painter.drawLine(QPointF(x, y - 3), QPointF(x, y + 3))
-        painter.drawText(QPointF(left, metrics.ascent()), self._label())
+        painter.drawText(QPointF(left, UNIT / 2 + metrics.ascent()), self._label())

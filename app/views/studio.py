@@ -40,6 +40,8 @@ class Wish:
         View, width and height in device pixels, of each visible view.
     moving : bool
         The camera is under the hand: speed before sharpness.
+    ratio : float
+        Device pixels for each pixel of the window, along each side.
     """
 
     content: Content
@@ -47,6 +49,7 @@ class Wish:
     camera: Camera
     sizes: tuple[tuple[int, int, int], ...]
     moving: bool
+    ratio: float = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -279,7 +282,8 @@ class _Hand:
             for view, width, height in sizes
         ]
         give_up = self._overtaken if fine and not steady else None
-        images = self._renderer.draw(wish.camera, tiles, fine, max(factor, 1.0), give_up)
+        density = max(factor, 1.0) * wish.ratio
+        images = self._renderer.draw(wish.camera, tiles, fine, density, give_up)
         return images, time.perf_counter() - start
 
 
