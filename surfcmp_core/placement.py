@@ -6,7 +6,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.projection import Removed, frame, moved, schlicht_part, viewing_direction
+from surfcmp_core.projection import (
+    Removed,
+    frame,
+    moved,
+    schlicht_part,
+    viewing_direction,
+    wound_alike,
+)
 from surfcmp_core.surface import Surface
 
 View = Literal["auto"] | tuple[float, float, float]
@@ -20,7 +27,8 @@ class Placement:
     Attributes
     ----------
     surfaces : two Surface
-        What is seen, in the comparison's coordinates; nodes left out are counted in `dropped`.
+        What is seen, in the comparison's coordinates; nodes left out are counted in `dropped`,
+        triangles turned to wind like their neighbours in `changed`.
     removed : two Removed
         What is not seen, and why.
     motions : two (4, 4) float64
@@ -52,7 +60,7 @@ class Sight:
     Attributes
     ----------
     part : Surface
-        What is seen, in the view's coordinates; nodes left out are counted in `dropped`.
+        What is seen, in the view's coordinates; counted as in a :class:`Placement`.
     removed : Removed
         What is not seen, and why.
     motion : (4, 4) float64
@@ -82,6 +90,7 @@ def look_at(surface: Surface, view: View = "auto") -> Sight:
     InputError
         The surface shows nothing in this view, or no view can be found.
     """
+    surface = wound_alike(surface)
     motion = frame(viewing_direction(surface) if view == "auto" else view)
     return Sight(*schlicht_part(moved(surface, motion)), motion)
 
@@ -109,6 +118,7 @@ def place(
     InputError
         A surface shows nothing in this view, or no view can be found.
     """
+    surface_1, surface_2 = wound_alike(surface_1), wound_alike(surface_2)
     second = surface_2 if align is None else moved(surface_2, align)
     turn = frame(viewing_direction(surface_1, second) if view == "auto" else view)
     motions = (turn, turn if align is None else turn @ align)

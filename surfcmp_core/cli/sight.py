@@ -12,6 +12,7 @@ Rows = list[tuple[str, str]]
 def sight_rows(surface: Surface) -> Rows:
     """Return what `--project auto` would keep of one surface, and what not for which reason."""
     from surfcmp_core.placement import look_at
+    from surfcmp_core.projection.winding import TURNED
 
     try:
         sight = look_at(surface)
@@ -29,7 +30,8 @@ def sight_rows(surface: Surface) -> Rows:
         if reason in area:
             texts.append(f"{_area(area[reason], surface)}{_share(reason, area)}")
         rows.append((reason, ", ".join(texts)))
-    return rows
+    turned = sight.part.changed.get(TURNED, 0) - surface.changed.get(TURNED, 0)
+    return [*rows, (TURNED, thousands(turned))] if turned else rows
 
 
 def data_rows(surface: Surface) -> Rows:

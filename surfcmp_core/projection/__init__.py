@@ -4,6 +4,7 @@ from surfcmp_core.projection.direction import viewing_direction
 from surfcmp_core.projection.frame import direction_of_landmarks, frame, moved
 from surfcmp_core.projection.removed import Fate, Removed
 from surfcmp_core.projection.schlicht import schlicht_part
+from surfcmp_core.projection.winding import wound_alike
 
 __all__ = [
     "Fate",
@@ -13,4 +14,5 @@ __all__ = [
     "moved",
     "schlicht_part",
     "viewing_direction",
+    "wound_alike",
 ]
