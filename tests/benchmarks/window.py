@@ -1,7 +1,7 @@
 """How soon the window answers: ``python -m tests.benchmarks.window [A B | COUNT]``.
 
 Needs a screen (xvfb-run will do). Without files the sample pair is opened; with a COUNT two clouds
-of so many nodes each. The first times count from the start of the process, imports included.
+of so many nodes each. The sample's times count from the start of the process, imports included.
 """
 
 import os
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from app.window import MainWindow
 
 TURNING_SECONDS = 3.0
+IDLE_SECONDS = 2.5
+"""After this the window has loaded all it needs."""
 TICK = 0.01
 
 
@@ -88,16 +90,21 @@ class Run:
 
 
 def measure_start(run: Run, lateness: Lateness, paths: list[Path]) -> None:
-    """Compare, until the last picture is finished."""
+    """Compare, until the last picture is finished; files are opened once the window is idle."""
+    begin, goal = BEGIN, "≤ 4 s" if not paths else ""
+    if paths:
+        run.pause(IDLE_SECONDS)
+        lateness.tell("starting")
+        begin = time.time()
     ready: list[float] = []
-    run.window.session.compared.connect(lambda _: ready.append(time.time() - BEGIN))
+    run.window.session.compared.connect(lambda _: ready.append(time.time() - begin))
     run.window.opening.begin(paths)
     run.wait(lambda _: True)
     say("compared", ready[0], "s")
-    say("first heatmap", time.time() - BEGIN, "s", "≤ 4 s for the sample")
+    say("first heatmap", time.time() - begin, "s", goal)
     if not run.pictures[-1][1].final:
         run.wait(lambda pictures: pictures.final)
-    say("all views finished", time.time() - BEGIN, "s")
+    say("all views finished", time.time() - begin, "s")
     lateness.tell("comparing", "≤ 50 ms")
 
 
