@@ -31,7 +31,9 @@ def sight_rows(surface: Surface) -> Rows:
             texts.append(f"{_area(area[reason], surface)}{_share(reason, area)}")
         rows.append((reason, ", ".join(texts)))
     turned = sight.part.changed.get(TURNED, 0) - surface.changed.get(TURNED, 0)
-    return [*rows, (TURNED, thousands(turned))] if turned else rows
+    if turned:
+        rows.append(("turned", f"{thousands(turned)} triangles, to wind like their neighbours"))
+    return rows
 
 
 def data_rows(surface: Surface) -> Rows:

@@ -24,16 +24,17 @@ def _side(nodes: NDArray[np.float64], a: int, b: int, c: int) -> float:
 
 
 @kernel
-def _apart(nodes: NDArray[np.float64], one: NDArray[np.int32], other: NDArray[np.int32]) -> bool:
+def _apart(nodes: NDArray[np.float64], faces: NDArray[np.int32], one: int, other: int) -> bool:
     """Whether an edge of one counter-clockwise triangle has all of another on its outer side."""
+    d, e, f = faces[other, 0], faces[other, 1], faces[other, 2]
     for i in range(3):
-        a, b, c = one[i], one[(i + 1) % 3], one[(i + 2) % 3]
-        if c == other[0] or c == other[1] or c == other[2]:
+        a, b, c = faces[one, i], faces[one, (i + 1) % 3], faces[one, (i + 2) % 3]
+        if c in (d, e, f):
             continue  # a node on the inner side
         if (
-            _side(nodes, a, b, other[0]) <= 0.0
-            and _side(nodes, a, b, other[1]) <= 0.0
-            and _side(nodes, a, b, other[2]) <= 0.0
+            _side(nodes, a, b, d) <= 0.0
+            and _side(nodes, a, b, e) <= 0.0
+            and _side(nodes, a, b, f) <= 0.0
         ):
             return True
     return False
@@ -41,57 +42,66 @@ def _apart(nodes: NDArray[np.float64], one: NDArray[np.int32], other: NDArray[np
 
 @kernel
 def _height(
-    nodes: NDArray[np.float64], z: NDArray[np.float64], face: NDArray[np.int32], x: float, y: float
+    nodes: NDArray[np.float64],
+    z: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    t: int,
+    x: float,
+    y: float,
 ) -> float:
     """Height of a triangle over a place in it: exact at its nodes, within their range always."""
     for i in range(3):
-        if nodes[face[i], 0] == x and nodes[face[i], 1] == y:
-            return float(z[face[i]])
+        if nodes[faces[t, i], 0] == x and nodes[faces[t, i], 1] == y:
+            return float(z[faces[t, i]])
     total = 0.0
     height = 0.0
     for i in range(3):
-        a, b = face[(i + 1) % 3], face[(i + 2) % 3]
+        a, b = faces[t, (i + 1) % 3], faces[t, (i + 2) % 3]
         share = (nodes[a, 0] - x) * (nodes[b, 1] - y) - (nodes[a, 1] - y) * (nodes[b, 0] - x)
         share = max(share, 0.0)
         total += share
-        height += share * z[face[i]]
-    return height / total if total > 0.0 else z[face[0]]
+        height += share * z[faces[t, i]]
+    return height / total if total > 0.0 else z[faces[t, 0]]
 
 
 @kernel
 def _lead(
     nodes: NDArray[np.float64],
     z: NDArray[np.float64],
-    one: NDArray[np.int32],
-    other: NDArray[np.int32],
+    faces: NDArray[np.int32],
+    one: int,
+    other: int,
 ) -> float:
     """Whether one of two overlapping triangles lies in front (> 0), where they differ most.
 
     Their overlap is the hull of the nodes of each that lie in the other and of the places where
     edges cross; heights are linear over it, so one of these shows the largest difference.
     """
-    if min(z[one[0]], z[one[1]], z[one[2]]) >= max(z[other[0]], z[other[1]], z[other[2]]):
+    z0, z1, z2 = z[faces[one, 0]], z[faces[one, 1]], z[faces[one, 2]]
+    w0, w1, w2 = z[faces[other, 0]], z[faces[other, 1]], z[faces[other, 2]]
+    if min(z0, z1, z2) >= max(w0, w1, w2):
         return 1.0
-    if min(z[other[0]], z[other[1]], z[other[2]]) >= max(z[one[0]], z[one[1]], z[one[2]]):
+    if min(w0, w1, w2) >= max(z0, z1, z2):
         return -1.0
     most = 0.0
     for turn in range(2):
         inner, outer = (one, other) if turn == 0 else (other, one)
+        a, b, c = faces[outer, 0], faces[outer, 1], faces[outer, 2]
         for i in range(3):
-            v = inner[i]
+            v = faces[inner, i]
             if (
-                _side(nodes, outer[0], outer[1], v) >= 0.0
-                and _side(nodes, outer[1], outer[2], v) >= 0.0
-                and _side(nodes, outer[2], outer[0], v) >= 0.0
+                _side(nodes, a, b, v) >= 0.0
+                and _side(nodes, b, c, v) >= 0.0
+                and _side(nodes, c, a, v) >= 0.0
             ):
-                lead = z[v] - _height(nodes, z, outer, nodes[v, 0], nodes[v, 1])
+                lead = z[v] - _height(nodes, z, faces, outer, nodes[v, 0], nodes[v, 1])
                 lead = lead if turn == 0 else -lead
                 if abs(lead) > abs(most):
                     most = lead
     for i in range(3):
-        a, b = one[i], one[(i + 1) % 3]
+        a, b = faces[one, i], faces[one, (i + 1) % 3]
         for j in range(3):
-            c, d = other[j], other[(j + 1) % 3]
+            c, d = faces[other, j], faces[other, (j + 1) % 3]
             from_c, from_d = _side(nodes, a, b, c), _side(nodes, a, b, d)
             from_a, from_b = _side(nodes, c, d, a), _side(nodes, c, d, b)
             if from_c * from_d < 0.0 and from_a * from_b < 0.0:
@@ -104,32 +114,34 @@ def _lead(
 
 
 @kernel
-def _along_an_edge(one: NDArray[np.int32], other: NDArray[np.int32]) -> bool:
+def _along_an_edge(faces: NDArray[np.int32], one: int, other: int) -> bool:
     """Whether two counter-clockwise triangles lie on either side of a common edge."""
+    d, e, f = faces[other, 0], faces[other, 1], faces[other, 2]
     for i in range(3):
-        for j in range(3):
-            if one[i] == other[(j + 1) % 3] and one[(i + 1) % 3] == other[j]:
-                return True
+        a, b = faces[one, i], faces[one, (i + 1) % 3]
+        if (a == e and b == d) or (a == f and b == e) or (a == d and b == f):
+            return True
     return False
 
 
 @kernel
 def _reach(
     nodes: NDArray[np.float64],
-    face: NDArray[np.int32],
+    faces: NDArray[np.int32],
+    t: int,
+    i: int,
     low: NDArray[np.float64],
     high: NDArray[np.float64],
 ) -> None:
-    """Give the least and the largest value at its nodes of x, y and six other directions."""
-    low[:] = np.inf
-    high[:] = -np.inf
-    for i in range(3):
-        x, y = nodes[face[i], 0], nodes[face[i], 1]
-        for k, value in enumerate(
-            (x, y, x + y, x - y, x + 2.0 * y, x - 2.0 * y, 2.0 * x + y, 2.0 * x - y)
-        ):
-            low[k] = min(low[k], value)
-            high[k] = max(high[k], value)
+    """Set in row i the least and the largest value of x, y and six other directions."""
+    low[i] = np.inf
+    high[i] = -np.inf
+    for corner in range(3):
+        x, y = nodes[faces[t, corner], 0], nodes[faces[t, corner], 1]
+        values = (x, y, x + y, x - y, x + 2.0 * y, x - 2.0 * y, 2.0 * x + y, 2.0 * x - y)
+        for k in range(_DIRECTIONS):
+            low[i, k] = min(low[i, k], values[k])
+            high[i, k] = max(high[i, k], values[k])
 
 
 @kernel
@@ -152,7 +164,7 @@ def _hide(
         first = start[cell]
         for i in range(start[cell + 1] - first):
             p = members[first + i]
-            _reach(nodes, faces[p], low[i], high[i])
+            _reach(nodes, faces, p, i, low, high)
             for j in range(i):
                 # rounded sums that differ stand for sums that differ; those that agree may not
                 if (
@@ -173,11 +185,11 @@ def _hide(
                 # once a pair: in the cell of their boxes' first common place
                 column = int((max(low[i, 0], low[j, 0]) - x0) * per_cell)
                 row = int((max(low[i, 1], low[j, 1]) - y0) * per_cell)
-                if row * columns + column != cell or _along_an_edge(faces[q], faces[p]):
+                if row * columns + column != cell or _along_an_edge(faces, q, p):
                     continue
-                if _apart(nodes, faces[q], faces[p]) or _apart(nodes, faces[p], faces[q]):
+                if _apart(nodes, faces, q, p) or _apart(nodes, faces, p, q):
                     continue
-                if _lead(nodes, z, faces[q], faces[p]) >= 0.0:
+                if _lead(nodes, z, faces, q, p) >= 0.0:
                     fate[p] = _HIDDEN
                 else:
                     fate[q] = _HIDDEN

@@ -91,7 +91,8 @@ def _measure(name: str, surface: Surface, path: Path) -> str:
     given = (reading + winding + moving + cutting) / reading
     return (
         f"{name}, {len(scan.points)} nodes, PLY: read {reading:.3f} s, winding {winding:.3f} s, "
-        f"direction {search:.3f} s, move {moving:.3f} s, schlicht part ({share:.0f} % of the area) {cutting:.3f} s: "
+        f"direction {search:.3f} s, move {moving:.3f} s, schlicht part ({share:.0f} % of the area) "
+        f"{cutting:.3f} s: "
         f"{given:.2f} times reading where the direction is given, "
         f"{given + search / reading:.2f} where it is sought"
     )
