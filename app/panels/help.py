@@ -65,42 +65,73 @@ class HelpPages(QWidget):
                 ),
             ),
         ]
-        parts = [f"<h2>{self.tr('Compare two surfaces')}</h2>", "<p>"]
-        parts.append(
-            self.tr(
-                "Drop two files on the window, or one on a surface's place. The four views turn"
-                " together: drag to turn, drag with the right button to move, wheel to zoom,"
-                " double-click to let one view fill the window."
-            )
+        first = self.tr(
+            "Drop two files on the window, or one on a surface's place. The four views turn"
+            " together: drag to turn, drag with the right button to move, wheel to zoom,"
+            " double-click to let one view fill the window."
         )
-        parts.append("</p>")
+        parts = ["<h2>", self.tr("Compare two surfaces"), "</h2><p>", first, "</p>"]
         for k, view in enumerate(views):
             if view is not None:
                 parts.append(f"<h3>{view[0]}</h3><p>{view[1]}</p>")
             if k < len(pictures):
                 parts.append(f"<p>{_picture(pictures[k])}</p>")
-        parts += [
-            f"<h3>{self.tr('Can I trust the colour?')}</h3><p>",
-            self.tr(
-                "Choose the trust map: green triangles rest on nodes of both surfaces; the others"
-                " were filled in for one of the two. Coverage, in the line at the bottom, says how"
-                " much of each surface was compared."
-            ),
-            f"</p><h3>{self.tr('Which number?')}</h3><p>",
-            self.tr(
-                "Mean |d|, the 95th percentile and the share within a tolerance can be compared"
-                " between pairs. The paper's sums fall when a scan is thinned, whatever the"
-                " surfaces do. The signed mean flatters: above and below cancel. Every number"
-                " says what it means when the mouse rests on it."
-            ),
-            f"</p><h3>{self.tr('Look closer')}</h3><p>",
-            self.tr(
-                "Click a place to read its values; K keeps the label. Drag over the histogram to"
-                " light up a range of differences. Click a chain in its table to fly there."
-            ),
-            "</p>",
-        ]
+        for title, text in self._advice():
+            parts.append(f"<h3>{title}</h3><p>{text}</p>")
         return "".join(parts)
+
+    def _advice(self) -> tuple[tuple[str, str], ...]:
+        """Return titles and texts of what comes after the views."""
+        return (
+            (
+                self.tr("Can I trust the colour?"),
+                self.tr(
+                    "Choose the trust map: green triangles rest on nodes of both surfaces; the"
+                    " others were filled in for one of the two. Coverage, in the line at the"
+                    " bottom, says how much of each surface was compared."
+                ),
+            ),
+            (
+                self.tr("Which number?"),
+                self.tr(
+                    "Mean |d|, the 95th percentile and the share within a tolerance can be compared"
+                    " between pairs. The paper's sums fall when a scan is thinned, whatever the"
+                    " surfaces do. The signed mean flatters: above and below cancel. Every number"
+                    " says what it means when the mouse rests on it."
+                ),
+            ),
+            (
+                self.tr("Look closer"),
+                self.tr(
+                    "Click a place to read its values; K keeps the label. Drag over the histogram"
+                    " to light up a range of differences. Click a chain in its table to fly there."
+                ),
+            ),
+            (
+                self.tr("Part by part"),
+                self.tr(
+                    "Draw around a region with the lasso or paint it with the brush; with Shift"
+                    " held, both take away. Each region has its own measures and its weight, and"
+                    " all parts add up to the whole."
+                ),
+            ),
+            (
+                self.tr("Are the two aligned?"),
+                self.tr(
+                    "Where the surfaces do not lie on each other, pick three or more pairs of"
+                    " landmarks, then let the best fit finish it, on the whole or on a region that"
+                    " has not changed. What that changed stands in the same panel."
+                ),
+            ),
+            (
+                self.tr("Keep it"),
+                self.tr(
+                    "Everything can be undone, step by step. A session keeps all of it in one"
+                    " file, with the scans in it where you wish. A report (.html, .pdf) has the"
+                    " pictures, the numbers and where they come from; names can be hidden."
+                ),
+            ),
+        )
 
     def shortcuts(self, actions: Sequence[QAction]) -> str:
         """Return the list of keys."""
@@ -115,6 +146,7 @@ class HelpPages(QWidget):
             (self.tr("Turn (relief) or move (map)"), self.tr("drag")),
             (self.tr("Move"), self.tr("drag with the right button, or Shift and drag")),
             (self.tr("Turn with a tool in hand"), self.tr("drag with the right button")),
+            (self.tr("Take away from a region"), self.tr("Shift with lasso or brush")),
             (self.tr("Zoom at the pointer"), self.tr("wheel")),
             (self.tr("Values of a place"), self.tr("click")),
             (self.tr("One view alone, and back"), self.tr("double-click")),
@@ -123,7 +155,8 @@ class HelpPages(QWidget):
         rows += [
             f"<tr><td width='320'>{what}</td><td><b>{how}</b></td></tr>" for what, how in mouse
         ]
-        return f"<h2>{self.tr('Keys and mouse')}</h2><table cellpadding='4'>{''.join(rows)}</table>"
+        title = self.tr("Keys and mouse")
+        return f"<h2>{title}</h2><table cellpadding='4'>{''.join(rows)}</table>"
 
     def about(self) -> str:
         """Return what the program is, and what it is not."""

@@ -146,7 +146,7 @@ class MeasuresPanel(Panel):
         for line in self._lines:
             _, unit = with_unit(1.0, line.power, self._unit)
             value = line.value if line.value is None or line.power else 100 * line.value
-            rows.append("\t".join((line.name, repr(value), unit, line.text)))
+            rows.append("\t".join((line.name, repr(value), unit, self._sentence(line))))
         return "\n".join(rows) + "\n"
 
     def copy_table(self) -> None:
@@ -164,10 +164,16 @@ class MeasuresPanel(Panel):
             name = self._name(line)
             if line in within:
                 name = self.tr("Within {}").format(line.name.removeprefix("≤ "))
-            card.show_number(name, value, unit, line.text)
+            card.show_number(name, value, unit, self._sentence(line))
 
     def _name(self, line: Line) -> str:
         return self.tr(NAMES.get(line.name, line.name))
+
+    def _sentence(self, line: Line) -> str:
+        """Return what a measure means."""
+        if line.name.startswith("≤"):
+            return self.tr("share of the area with |d| {}").format(line.name)
+        return self.tr(line.text)
 
     def _add_heading(self, group: str) -> None:
         item = QTreeWidgetItem([self.tr(group)])
@@ -188,9 +194,10 @@ class MeasuresPanel(Panel):
         item.setData(0, KEY, line.name)
         item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         item.setFont(1, tabular(self.tree.font()))
-        text = line.text[0].upper() + line.text[1:] + "."
+        text = self._sentence(line)
+        text = text[0].upper() + text[1:] + "."
         if line.group in self._notes:
-            text += " " + self._notes[line.group]
+            text += " " + self.tr(self._notes[line.group])
         for column in range(3):
             item.setToolTip(column, text)
         self.tree.addTopLevelItem(item)

@@ -9,7 +9,9 @@ import pytest
 
 import app
 from app.panels.alignment import METHODS
+from app.panels.measure_names import CORE_TEXTS
 from app.views.overlays import LEGEND
+from surfcmp_core.report.meanings import MEANINGS, NOTES, SUMS
 
 APP = Path(app.__file__).parent
 PLACES = ("panels", "controllers", "views", "jobs", "window.py", "actions.py")
@@ -67,6 +69,25 @@ def test_texts_are_marked_for_translation(path: Path):
     if path.name == "alignment.py" and path.parent.name == "controllers":
         texts = {part for text in texts for part in text.split(", ") if part} - set(METHODS)
     assert texts - KNOWN.get(path.relative_to(APP).as_posix(), set()) == set()
+
+
+@pytest.mark.parametrize(
+    "path", [p for p in MODULES if p.suffix == ".py"], ids=lambda p: str(p.relative_to(APP))
+)
+def test_marks_stand_where_they_are_found(path: Path):
+    """Qt's tools look neither into f-strings nor behind names."""
+    for string in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(string, ast.JoinedStr):
+            for call in ast.walk(string):
+                if isinstance(call, ast.Call) and getattr(call.func, "attr", "") in MARKS:
+                    assert not isinstance(call.args[-1], ast.Constant), ast.unparse(call)
+
+
+def test_texts_of_the_core_are_marked_for_translation():
+    texts = {meaning.text for meaning in MEANINGS} - {"share of the area with |d| ≤ {}"}
+    groups = {meaning.group for meaning in MEANINGS}
+    exact = {f"{group}, exact" for group in groups - {SUMS, "Hausdorff"}}
+    assert set(CORE_TEXTS) == texts | groups | exact | set(NOTES.values())
 
 
 KNOWN = {
