@@ -57,10 +57,11 @@ class Actions(QObject):
         self._add(file, elsewhere, lambda: window.sessions.ask_save(), "Ctrl+Shift+S")
         self._add(file, self.tr("Open a session…"), lambda: window.sessions.ask_open())
         self.export = file.addMenu(self.tr("&Export"))
+        report = self.tr("Report as a page and on paper (.html, .pdf)…")
+        self._add(self.export, report, lambda: window.exporting.ask_report(), "Ctrl+P")
         for ending, name in KINDS.items():
-            keys = "Ctrl+P" if ending == ".html" else ""
             text = f"{self.tr(name)} ({ending})…"
-            self._add(self.export, text, partial(self._export, ending), keys)
+            self._add(self.export, text, partial(self._export, ending))
         for density in (2, 4):
             views = self.tr("Picture of the views, {} × the screen (.png)…").format(density)
             self._add(self.export, views, partial(self._export_views, density))

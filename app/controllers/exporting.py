@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from app.window import MainWindow
 
 
+REPORTS = (".html", ".pdf")
 REPORT_DENSITY = 2
 """Pixels of a report's pictures for each one of the screen, along each side."""
 
@@ -44,17 +45,28 @@ class Exporting(QObject):
         if name:
             self.write(Path(name).with_suffix(ending))
 
-    def write(self, path: Path) -> None:
-        """Write what is shown now; the ending says the format."""
+    def ask_report(self) -> None:
+        """Ask for a name and write the report twice: as a page, and on paper."""
+        if self._window.session.shown is None:
+            self._window.banner.tell(self.tr("There is nothing to export yet"), "note")
+            return
+        name = QFileDialog.getSaveFileName(
+            self._window, self.tr("Report"), "comparison.html", "*.html"
+        )[0]
+        if name:
+            self.write(*(Path(name).with_suffix(ending) for ending in REPORTS))
+
+    def write(self, *paths: Path) -> None:
+        """Write what is shown now, all files or none; the endings say the formats."""
         result, hide = self._window.session.shown, self.hide_names
         if result is None:
             return
         state = self._window.display.state
 
         def begin(pictures: list[Picture]) -> None:
-            self.runner.start(lambda _progress: export(result, state, path, pictures, hide))
+            self.runner.start(lambda _progress: export(result, state, paths, pictures, hide))
 
-        if path.suffix in {".html", ".pdf"}:
+        if any(path.suffix in REPORTS for path in paths):
             self._window.display.print(REPORT_DENSITY, lambda: begin(self.pictures(REPORT_DENSITY)))
         else:
             begin([])
@@ -71,7 +83,7 @@ class Exporting(QObject):
     def write_views(self, path: Path, density: int) -> None:
         """Write the views as they stand, with `density` times the pixels of the screen."""
         if self.picture_of_views(density).save(str(path)):
-            self._finished(path)
+            self._finished(str(path))
         else:
             self._window.banner.tell(self.tr("{} cannot be written").format(path.name))
 
@@ -94,8 +106,8 @@ class Exporting(QObject):
             if frame.isVisible()
         ]
 
-    def _finished(self, path: Path) -> None:
-        self._window.banner.tell(self.tr("Saved {}").format(path), "note")
+    def _finished(self, names: str) -> None:
+        self._window.banner.tell(self.tr("Saved {}").format(names), "note")
 
 
 def _drawn(widget: QWidget, density: int) -> QPixmap:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -17,37 +18,40 @@ Picture = tuple[str, bytes]
 
 
 def export(
-    result: Compared, state: ViewState, path: Path, pictures: Sequence[Picture], hide_names: bool
-) -> Path:
-    """Write one file; its ending says the format.
+    result: Compared,
+    state: ViewState,
+    paths: Sequence[Path],
+    pictures: Sequence[Picture],
+    hide_names: bool,
+) -> str:
+    """Write files, all or none; their endings say the formats. Return the names.
 
     Reports (.html, .pdf) also get the pictures of the views.
 
     Raises
     ------
     OutputError
-        The file cannot be written; it is untouched then.
+        A file cannot be written; none is touched then.
     """
     from surfcmp_core.report.hidden import without_names
     from surfcmp_core.report.outputs import WRITERS, check_outputs, write_all
     from surfcmp_core.report.page import write_html
     from surfcmp_core.report.pictures import write_pdf
 
-    check_outputs([path], [file for file in result.document.paths if file])
+    check_outputs(paths, [file for file in result.document.paths if file])
     comparison, record = result.content.comparison, record_of(result, state)
     if hide_names:
         comparison, record = without_names(comparison, record)
-    ending = path.suffix.lower()
     reports = {".html": write_html, ".pdf": write_pdf}
 
-    def write(stream: BinaryIO) -> None:
+    def write(ending: str, stream: BinaryIO) -> None:
         if ending in reports:
             reports[ending](comparison, record, stream, pictures)
         else:
             WRITERS[ending](comparison, record, stream)
 
-    write_all({path: write})
-    return path
+    write_all({path: partial(write, path.suffix.lower()) for path in paths})
+    return ", ".join(str(path) for path in paths)
 
 
 def record_of(result: Compared, state: ViewState) -> dict[str, Any]:

@@ -227,6 +227,19 @@ def test_what_is_shown_is_exported(sample: MainWindow, ending: str, tmp_path: Pa
     assert sample.banner.isVisible()
 
 
+def test_one_action_writes_the_whole_report(
+    sample: MainWindow, tmp_path: Path, qtbot: QtBot, monkeypatch
+):
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "report.html"), "")
+    )
+    with qtbot.waitSignal(sample.exporting.runner.finished, timeout=PATIENCE):
+        qtbot.keyClick(sample, Qt.Key.Key_P, Qt.KeyboardModifier.ControlModifier)
+    found = {path.name: path.read_bytes()[:5] for path in tmp_path.iterdir() if path.is_file()}
+    assert found == {"report.html": b"<!doc", "report.pdf": b"%PDF-"}
+    assert "report.pdf" in sample.banner.label.text()
+
+
 def test_exports_have_the_scale_and_regions_of_the_window(
     sample: MainWindow, tmp_path: Path, qtbot: QtBot
 ):
