@@ -141,3 +141,28 @@ def test_mesh_speaks_for_the_cloud_beside_it():
 def test_nodes_on_a_line_have_no_direction():
     with pytest.raises(InputError, match="lie on one line"):
         viewing_direction(Surface(np.outer(np.arange(5.0), [1.0, 2.0, 3.0]), name="thread"))
+
+
+def test_debris_has_no_say():
+    dome = mirrored_back(sheet(lambda x, y: 0.3 * np.cos(x) * np.cos(y), wide=1.3), 0.2)
+    specks = [dome.points[dome.faces[k]] + np.array([0.0, 9.0 * k, 30.0]) for k in (1, 2)]
+    both = replace(
+        dome,
+        points=np.concatenate((dome.points, *specks)),
+        faces=np.concatenate((dome.faces, np.arange(6).reshape(2, 3) + len(dome.points))).astype(
+            np.int32
+        ),
+    )
+    np.testing.assert_allclose(viewing_direction(both), viewing_direction(dome), atol=0.02)
+
+
+@pytest.mark.parametrize("name", ["face_ict_neutral", "face_demo_10k", "face_avg_f66"])
+def test_closed_face_shows_its_largest_area(shared, name):
+    # from the side the shadow is larger, but less of the face is seen
+    closed = mirrored_back(scan(shared, name), 0.3)
+    direction = viewing_direction(closed)
+    assert angle(direction, np.array([0.0, 0.0, 1.0])) < 10.0
+    _, removed = schlicht_part(moved(closed, frame(direction)))
+    for axis in ([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.7, 0.7]):
+        _, other = schlicht_part(moved(closed, frame(axis)))
+        assert other.area_kept < removed.area_kept
