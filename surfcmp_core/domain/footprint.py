@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
+from surfcmp_core.domain.gaps import NO_GAPS, gaps_of
 from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.localisation.localisation import walk_to
@@ -149,10 +150,15 @@ def _keep_short(
     return area
 
 
-def _areas(nodes: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
-    a, b, c = (nodes[faces[:, i]] for i in range(3))
-    u, v = b - a, c - a
-    return np.asarray(np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2.0)
+@kernel
+def _areas(
+    nodes: NDArray[np.float64], faces: NDArray[np.int32], areas: NDArray[np.float64]
+) -> None:
+    for f in range(faces.shape[0]):
+        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+        ux, uy = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
+        vx, vy = nodes[c, 0] - nodes[a, 0], nodes[c, 1] - nodes[a, 1]
+        areas[f] = abs(ux * vy - uy * vx) / 2.0
 
 
 def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) -> Footprint:
@@ -174,7 +180,8 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
     leaving = leaving_edges(t.start, len(t.nodes))
     other = np.empty(len(faces), np.bool_)
     _match_faces(t.start, t.twin, leaving, faces, state, other)
-    areas = _areas(t.nodes, faces)
+    areas = np.empty(len(faces))
+    _areas(t.nodes, faces, areas)
     other &= areas > 0.0
     buckets = None
     if other.any():
@@ -267,8 +274,13 @@ def _states_of_triangles(
     corner_states: NDArray[np.uint8],
     hints: NDArray[np.int32],
     ask_centroids: bool,
+    x0: float,
+    y0: float,
+    per_cell: float,
+    near_gap: NDArray[np.bool_],
     states: NDArray[np.uint8],
 ) -> None:
+    states[:] = 0
     for t in range(triangles.shape[0]):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         p, q, r = corner_states[a], corner_states[b], corner_states[c]
@@ -279,10 +291,11 @@ def _states_of_triangles(
         elif ask_centroids:
             x = (corners[a, 0] + corners[b, 0] + corners[c, 0]) / 3.0
             y = (corners[a, 1] + corners[b, 1] + corners[c, 1]) / 3.0
-            found = walk_to(nodes, start, twin, hints[a], x, y)
-            states[t] = _state_at(nodes, start, twin, state, found, x, y)
-        else:
-            states[t] = 0
+            column = min(max(int((x - x0) * per_cell), 0), near_gap.shape[1] - 1)
+            row = min(max(int((y - y0) * per_cell), 0), near_gap.shape[0] - 1)
+            if near_gap[row, column]:
+                found = walk_to(nodes, start, twin, hints[a], x, y)
+                states[t] = _state_at(nodes, start, twin, state, found, x, y)
 
 
 def states_of_triangles(
@@ -317,6 +330,9 @@ def states_of_triangles(
     t = footprint.triangulation
     states = np.empty(len(triangles), np.uint8)
     asking = ask_centroids and not footprint.is_hull
+    gaps = NO_GAPS
+    if asking:
+        gaps = gaps_of(t.nodes, t.triangles[footprint.state[: t.real] != DATA])
     _states_of_triangles(
         t.nodes,
         t.start,
@@ -327,12 +343,16 @@ def states_of_triangles(
         node_states,
         hints,
         asking,
+        gaps.x0,
+        gaps.y0,
+        gaps.per_cell,
+        gaps.near,
         states,
     )
     if asking and footprint.faces is not None:
         # nodes have been asked already: what is left are centroids beside triangles that are faces
-        corners_with_data = (node_states[triangles] == DATA).all(axis=1)
-        asked = np.flatnonzero((states != DATA) & corners_with_data)
+        asked = np.flatnonzero(states != DATA)
+        asked = asked[(node_states[triangles[asked]] == DATA).all(axis=1)]
         centroids = nodes[triangles[asked]].mean(axis=1)
         states[asked[covered_by(footprint.faces, centroids)]] = DATA
         states[states == _PARTIAL] = HOLE

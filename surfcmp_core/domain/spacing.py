@@ -35,6 +35,22 @@ def _neighbours(
 
 
 @kernel
+def _lower_median(values: NDArray[np.float64], count: int) -> float:
+    """Find the lower of the two middle ones of a few values, by counting what is below each."""
+    middle = (count - 1) // 2
+    for i in range(count):
+        value = values[i]
+        below = 0
+        not_above = 0
+        for j in range(count):
+            below += values[j] < value
+            not_above += values[j] <= value
+        if below <= middle < not_above:
+            return float(value)
+    return np.nan
+
+
+@kernel
 def _medians(
     nodes: NDArray[np.float64],
     first: NDArray[np.int32],
@@ -60,17 +76,12 @@ def _medians(
                         continue
                     dx = nodes[u, 0] - nodes[w, 0]
                     dy = nodes[u, 1] - nodes[w, 1]
-                    square = dx * dx + dy * dy
-                    j = end - 1  # so many lengths stand sorted already
-                    while j > 0 and squares[j - 1] > square:
-                        squares[j] = squares[j - 1]
-                        j -= 1
-                    squares[j] = square
+                    squares[end - 1] = dx * dx + dy * dy
                     reached[end] = w
                     whence[end] = u
                     end += 1
             begin = last
-        spacing[v] = np.sqrt(squares[(end - 2) // 2])
+        spacing[v] = np.sqrt(_lower_median(squares, end - 1))
 
 
 def spacing_at(

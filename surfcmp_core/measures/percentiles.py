@@ -7,9 +7,7 @@ as between the equal triangles of a lattice.
 """
 
 import math
-from bisect import bisect_left
 from collections.abc import Sequence
-from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -21,11 +19,26 @@ _BIN_BITS = 14  # Bits by which values are told apart in one round: the bins sta
 
 
 class _Binned(NamedTuple):
-    """Areas up to and including each bin; bin i holds the keys k with (k - first) >> shift = i."""
+    """Areas up to and including each bin; bin i holds the keys k with (k - first) >> shift = i.
+
+    An area is high 2^bits + low, low below 2^bits.
+    """
 
     first: int
     shift: int
-    cumulated: list[int]
+    bits: int
+    high: NDArray[np.int64]
+    low: NDArray[np.int64]
+
+    def area(self, i: int) -> int:
+        """Area up to and including bin i."""
+        return (int(self.high[i]) << self.bits) + int(self.low[i])
+
+    def reaching(self, area: int) -> int:
+        """First bin with which at least so much area is reached."""
+        high, low = area >> self.bits, area & ((1 << self.bits) - 1)
+        begin, end = (int(np.searchsorted(self.high, high, side)) for side in ("left", "right"))
+        return begin + int(np.searchsorted(self.low[begin:end], low))
 
 
 @kernel
@@ -53,9 +66,8 @@ def _bin(keys: NDArray[np.int64], areas: NDArray[np.float64], unit: float, bits:
     shift = max(0, reach.bit_length() - _BIN_BITS)
     bins = np.zeros(((reach >> shift) + 1, 2), dtype=np.int64)
     _fill_bins(keys, areas, unit, math.ldexp(1.0, bits), first, shift, bins)
-    return _Binned(
-        first, shift, list(accumulate((high << bits) + low for high, low in bins.tolist()))
-    )
+    high, low = bins.cumsum(axis=0).T
+    return _Binned(first, shift, bits, high + (low >> bits), low & ((1 << bits) - 1))
 
 
 def area_percentiles(
@@ -93,15 +105,14 @@ def area_percentiles(
     def value_at(
         area: int, keys: NDArray[np.int64], areas: NDArray[np.float64], binned: _Binned
     ) -> float:
-        first, shift, cumulated = binned
-        i = bisect_left(cumulated, area)
-        low = first + (i << shift)
-        if shift == 0:
+        i = binned.reaching(area)
+        low = binned.first + (i << binned.shift)
+        if binned.shift == 0:
             return float(np.int64(low).view(np.float64))
-        inside = (keys >= low) & (keys < low + (1 << shift))
+        inside = (keys >= low) & (keys < low + (1 << binned.shift))
         keys, areas = keys[inside], areas[inside]
-        before = cumulated[i - 1] if i else 0
+        before = binned.area(i - 1) if i else 0
         return value_at(area - before, keys, areas, _bin(keys, areas, unit, bits))
 
-    total = whole.cumulated[-1]
+    total = whole.area(-1)
     return [value_at(-(-percent * total // 100), keys, areas, whole) for percent in percents]
