@@ -96,7 +96,13 @@ def compare_files(
 def compare_surfaces(
     surfaces: tuple[Surface, Surface], settings: Settings, progress: Progress, read_seconds: float
 ) -> tuple[Comparison, Document]:
-    """Compare two surfaces that were read, and describe the result."""
+    """Compare two surfaces that were read, and describe the result.
+
+    Raises
+    ------
+    InputError
+        One line that names a file and the fault.
+    """
     from surfcmp_core.cli.weight import read_weight
     from surfcmp_core.compare import compare
 
@@ -118,19 +124,26 @@ def compare_surfaces(
         warnings += placement.warnings
         asked["view"] = placement.motions[0][2, :3].tolist()
 
-    comparison = compare(
-        *(placement.surfaces if placement else surfaces),
-        domain=settings.domain,
-        max_edge=settings.max_edge,
-        exact=settings.exact,
-        tolerances=settings.tolerances,
-        weight=read_weight(settings.weight, settings.duplicates) if settings.weight else None,
-        duplicates=settings.duplicates,
-        threads=settings.threads,
-        align=None if placement else motion,
-        progress=progress,
-        read_seconds=read_seconds,
-    )
+    weight = read_weight(settings.weight, settings.duplicates) if settings.weight else None
+    try:
+        comparison = compare(
+            *(placement.surfaces if placement else surfaces),
+            domain=settings.domain,
+            max_edge=settings.max_edge,
+            exact=settings.exact,
+            tolerances=settings.tolerances,
+            weight=weight,
+            duplicates=settings.duplicates,
+            threads=settings.threads,
+            align=None if placement else motion,
+            progress=progress,
+            read_seconds=read_seconds,
+        )
+    except InputError as fault:
+        if any(one.name in str(fault) for one in surfaces):
+            raise
+        files = " and ".join(str(one.path or one.name) for one in surfaces)
+        raise InputError(f"{files}: {fault}") from None
     if placement:
         first, second = (
             replace(surface, dropped=part.dropped)

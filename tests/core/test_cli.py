@@ -342,6 +342,20 @@ def test_surfaces_apart_are_3_and_one_line(
     assert "far.xyz" in line
 
 
+@pytest.mark.parametrize("scale", ["1e200", "1e-200"])
+def test_both_files_are_named_where_both_are_at_fault(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], scale: str
+) -> None:
+    files = [tmp_path / "a.xyz", tmp_path / "b.xyz"]
+    for file in files:
+        file.write_text(
+            "".join(f"{x}{scale[1:]} {y}{scale[1:]} 0\n" for x, y in ("00", "90", "09"))
+        )
+    assert main(["compare", *map(str, files)]) == 3
+    (line,) = lines(capsys)
+    assert line.startswith(f"surfcmp: {files[0]} and {files[1]}: coordinates up to 9e")
+
+
 def test_units_that_differ_are_refused_unless_one_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
