@@ -234,7 +234,10 @@ class Display(QObject):
         self._rest.start()
 
     def _move_nothing(self) -> None:
-        self._move(lambda camera: camera)
+        """Draw anew for another size; a flight goes on."""
+        self._wish(moving=True)
+        if not self._flying:
+            self._rest.start()
 
     def _turn(self, right: float, up: float) -> None:
         self._move(lambda camera: camera.turned(right, up))
@@ -246,7 +249,7 @@ class Display(QObject):
         """Take a tool in hand."""
         self.tool = tool
         for frame in self._grid.frames:
-            frame.canvas.tool = tool
+            frame.canvas.take(tool)
         self.tool_changed.emit(tool)
 
     def set_brush(self, radius: float) -> None:

@@ -139,7 +139,7 @@ class Showing(QObject):
         window.scale.show_state(content, state, self.unit)
         profile = None
         if content is not None and state.section is not None:
-            profile = profile_of(content.comparison, state.section)
+            profile = profile_of(content.comparison, state.section, content.geometry)
         window.section.show_profile(profile, self.unit, state.dark)
         if window.display.content is None:
             return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,7 +32,7 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
         In shares of the picture's height from its middle, as `Camera.project` gives.
     """
     lift = np.array([1.0, 1.0, float(relief)])
-    found = _near(patch, camera, lift, right, up)
+    found = _near(patch, camera, relief, right, up)
     seen = camera.project(patch.points[patch.triangles[found].ravel()].astype(np.float64) * lift)
     x, y, depth = seen.T.reshape(3, -1, 3).transpose(0, 2, 1)
     x, y = x - right, y - up
@@ -48,19 +49,31 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
     return Place(int(found[hit][nearest]), (first, second, third))
 
 
-def _near(patch: Patch, camera: Camera, lift: Vector, right: float, up: float) -> NDArray[np.intp]:
+def _near(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> NDArray[np.intp]:
     """Return the triangles of all boxes that may cover a point of the picture."""
     if patch.boxes is None:
         return np.arange(len(patch.triangles))
+    middle, half = shadows(patch, camera, relief)
+    near = (np.abs(middle - (right, up)) <= half).all(axis=1)
+    return numbers_in(patch, near)
+
+
+def numbers_in(patch: Patch, boxes: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return the triangles of some of a patch's boxes."""
+    runs = np.flatnonzero(boxes)[:, None] * RUN + np.arange(RUN)
+    return runs[runs < len(patch.triangles)]
+
+
+@lru_cache(maxsize=3)
+def shadows(patch: Patch, camera: Camera, relief: bool) -> tuple[Vector, Vector]:
+    """Return the middles and half the sizes (k, 2) of a patch's boxes as the camera sees them."""
+    assert patch.boxes is not None
+    lift = np.array([1.0, 1.0, float(relief)])
     low, high = patch.boxes[:, 0].astype(np.float64), patch.boxes[:, 1].astype(np.float64)
     middle, half = (low + high) / 2 * lift, (high - low) / 2 * lift
-    near = np.ones(len(low), dtype=bool)
-    room = 1e-9 * float(np.abs(patch.boxes).max()) + 1e-12
-    for axis, place in ((camera.right, right), (np.array(camera.up), up)):
-        away = np.abs((middle - camera.focus) @ axis - place * camera.height)
-        near &= away <= half @ np.abs(axis) + room
-    runs = np.flatnonzero(near)[:, None] * RUN + np.arange(RUN)
-    return runs[runs < len(patch.triangles)]
+    axes = np.stack([camera.right, np.array(camera.up)], axis=1) / camera.height
+    room = 1e-9 * (float(np.abs(patch.boxes).max()) / camera.height + 1.0)  # for rounding
+    return (middle - camera.focus) @ axes, half @ np.abs(axes) + room
 
 
 def place_in_view(

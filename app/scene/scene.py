@@ -16,6 +16,7 @@ from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Patch
 from app.scene.lines import Segments, lines_of
 from app.scene.palette import Palette, palette
+from app.scene.pick import shadows
 from app.scene.section import profile_of
 from app.scene.values import Trust, values_of
 
@@ -144,8 +145,8 @@ def visible_part(scale: Scale) -> Scale:
 
 def forget() -> None:
     """Let go of all that is kept of comparisons shown before."""
-    kept = (plain_nodes, united_nodes, surface_colours, united_colours, heatmap_colours, profile_of)
-    for function in kept:
+    colours = (plain_nodes, united_nodes, surface_colours, united_colours, heatmap_colours)
+    for function in (*colours, profile_of, shadows):
         function.cache_clear()
 
 

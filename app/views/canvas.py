@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import override
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QEnterEvent,
@@ -82,6 +82,8 @@ class Canvas(QWidget):
         self.brush = 0.0
         """Radius of the brush, in shares of the height."""
         self._path: list[QPointF] = []
+        self._hover: QPointF | None = None
+        """Where the brush is."""
         self._top = _Top(self)
 
     @override
@@ -144,7 +146,11 @@ class Canvas(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label.text)
 
     def _draw_path(self, painter: QPainter) -> None:
-        """Draw what the tool has drawn so far."""
+        """Draw what the tool has drawn so far, and how large the brush is."""
+        if self._hover is not None:
+            painter.setPen(QPen(QColor(self._theme.accent), 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawEllipse(self._hover, *[self.brush * self.height()] * 2)
         if not self._path:
             return
         colour = QColor(self._theme.accent)
@@ -196,6 +202,9 @@ class Canvas(QWidget):
 
     @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.tool is Tool.BRUSH:
+            self._hover = event.position()
+            self._top.update()
         if self._press is None:
             return
         if self._path:
@@ -235,9 +244,26 @@ class Canvas(QWidget):
             return
         self.filled.emit()
 
+    def take(self, tool: Tool) -> None:
+        """Take a tool in hand."""
+        self.tool = tool
+        self.setMouseTracking(tool is Tool.BRUSH)  # its size follows the pointer
+        self._hover = None
+        self._top.update()
+        self._shape_pointer()
+
+    @override
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._hover = None
+        self._top.update()
+
     @override
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
+        self._shape_pointer()
+
+    def _shape_pointer(self) -> None:
         if self.tool is not Tool.LOOK:
             self.setCursor(Qt.CursorShape.CrossCursor)
         elif self.turning:

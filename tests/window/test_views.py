@@ -21,6 +21,7 @@ from app.scene.pick import (
     point_at,
     point_in_view,
 )
+from app.scene.section import profile_of
 from app.window import MainWindow
 from surfcmp_core.comparison import Comparison
 from tests.window.builders import comparison_of, hills
@@ -193,3 +194,30 @@ def test_views_are_printed_as_finely_as_asked(sample: MainWindow, tmp_path: Path
     assert sizes == [(3 * width, 3 * height)]
     assert frame.canvas.image.width() == width
     assert QImage(str(path)).width() == round(3 * whole)
+
+
+def test_a_section_looks_only_at_triangles_near_its_line(apart: Content):
+    for line in ((-45.0, -30.0, 45.0, 35.0), (0.0, -49.0, 0.0, 49.0), (-20.0, 10.0, 30.0, 10.0)):
+        whole = profile_of(apart.comparison, line)
+        near = profile_of(apart.comparison, line, apart.geometry)
+        assert np.array_equal(near.along, whole.along)
+        assert np.array_equal(near.z1, whole.z1, equal_nan=True)
+
+
+def test_the_brush_shows_its_size(sample: MainWindow, qtbot: QtBot):
+    canvas = sample.grid.frames[0].canvas
+    before = canvas.grab().toImage()
+    qtbot.keyClick(sample, Qt.Key.Key_B)
+    qtbot.mouseMove(canvas, canvas.rect().center())
+    qtbot.waitUntil(lambda: canvas._hover is not None)
+    assert canvas.grab().toImage() != before
+    qtbot.keyClick(sample, Qt.Key.Key_V)
+    assert canvas._hover is None
+
+
+def test_a_flight_goes_on_where_the_size_changes(sample: MainWindow, qtbot: QtBot):
+    display = sample.display
+    display.look_from_above()
+    qtbot.wait(60)
+    sample.resize(sample.width() + 40, sample.height())
+    qtbot.waitUntil(lambda: display.seen.back == (0.0, 0.0, 1.0), timeout=PATIENCE)
