@@ -37,6 +37,8 @@ MAP_MARGINS = (0.75, 0.6, 1.15)
 LYING = 0.75
 """Inches below a map's axes for a scale that lies."""
 BINS = 80
+LABEL_WIDTH = 0.6
+"""Inches beside a tolerance's line for its label."""
 _STYLE: Any = {
     "font.family": "sans-serif",
     "font.size": 9.0,
@@ -253,15 +255,21 @@ def draw_histogram(
         axes = figure.add_axes(_inches(figure, *place))
         style: Any = {"edgecolor": QUIET, "linewidth": 0.3}
         axes.bar(middle, share, width=np.diff(edges), color=colour / 255, **style)
-        for tolerance in comparison.options.tolerances:
+        before, line = -np.inf, 0
+        for tolerance in sorted(comparison.options.tolerances):
             if tolerance < scale.end:
                 axes.axvline(tolerance, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+                near = (tolerance - before) * place[2] < LABEL_WIDTH * scale.end
+                before, line = tolerance, line + 1 if near else 0
                 axes.annotate(
                     f" {tolerance:g} {unit}",
                     (tolerance, 1),
+                    xytext=(0, -11 * line),
                     xycoords=("data", "axes fraction"),
+                    textcoords="offset points",
                     va="top",
                     fontsize=8,
+                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
                 )
         last = f"; {100 * beyond:.2g} % of the area lie beyond" if beyond > 0 else ""
         axes.set(xlim=(0, scale.end), xlabel=f"mean |z₁ − z₂| of each triangle ({unit}{last})")

@@ -8,6 +8,7 @@ from surfcmp_core.comparison import Comparison
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.figures import (
     LYING,
+    MAP_MARGINS,
     QUIET,
     any_script,
     draw_histogram,
@@ -34,6 +35,8 @@ from surfcmp_core.report.provenance import (
 )
 from surfcmp_core.report.scale import scale_of
 
+INSET = 0.35
+"""Inches left of a map; its labels may reach into the margin."""
 GAP = 0.7
 """Inches between two maps, for the labels of the right one."""
 HISTOGRAM = 1.5
@@ -99,24 +102,30 @@ def _summary(paper: Paper, document: Document) -> None:
 
 
 def _maps(paper: Paper, comparison: Comparison, document: Document) -> None:
-    """Draw both maps beside each other, as large as leaves room for the histogram."""
-    inset = 0.35  # the left map's labels may reach into the margin
-    room = (WIDTH - 2 * LEFT - inset - GAP) / 2
-    paper.need(LEAST_MAP + LYING + 0.6)
-    paper.down += 0.25
+    """Draw both maps, as large as leaves room for the histogram: side by side, or stacked."""
     kinds = sorted(MAPS, reverse=scale_of(comparison, document).signed)
-    for place, signed in enumerate(kinds):
-        paper.write(inset + place * (room + GAP), MAPS[signed][0], fontsize=9, fontweight="bold")
-    paper.down += 0.21
+    paper.need(2 * (LEAST_MAP + 0.8))
+    paper.down += 0.25
+    room = HEIGHT - BOTTOM - paper.down - HISTOGRAM - 0.75
+    beside = (WIDTH - 2 * LEFT - INSET - GAP) / 2
     below = LYING + 0.35
-    most = HEIGHT - BOTTOM - paper.down - below - HISTOGRAM - 0.75
-    width, height = map_size(comparison, room, max(most, LEAST_MAP))
-    paper.down += height
-    for place, signed in enumerate(kinds):
-        left = LEFT + inset + place * (room + GAP)
-        axes = left, HEIGHT - paper.down, width, height
-        draw_map(paper.pages[-1], comparison, document, axes, signed=signed, lying=True)
-    paper.down += below
+    side = map_size(comparison, beside, max(room - 0.21 - below, LEAST_MAP))
+    whole = WIDTH - 2 * LEFT - INSET - MAP_MARGINS[2]
+    stacked = map_size(comparison, whole, max(room / 2 - 0.95, 0.5 * LEAST_MAP))
+    if stacked[0] <= 1.3 * side[0]:
+        for place, signed in enumerate(kinds):
+            left = INSET + place * (beside + GAP)
+            paper.write(left, MAPS[signed][0], fontsize=9, fontweight="bold")
+            axes = LEFT + left, HEIGHT - paper.down - 0.21 - side[1], *side
+            draw_map(paper.pages[-1], comparison, document, axes, signed=signed, lying=True)
+        paper.down += 0.21 + side[1] + below
+        return
+    for signed in kinds:
+        paper.write(INSET, MAPS[signed][0], fontsize=9, fontweight="bold")
+        paper.down += 0.21 + stacked[1]
+        axes = LEFT + INSET, HEIGHT - paper.down, *stacked
+        draw_map(paper.pages[-1], comparison, document, axes, signed=signed)
+        paper.down += 0.74
 
 
 def _views(paper: Paper, views: Sequence[View]) -> None:

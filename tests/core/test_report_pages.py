@@ -311,8 +311,10 @@ def test_paper_takes_as_many_sheets_as_it_needs() -> None:
     assert written(".pdf", comparison).count(b"/Type /Page ") == 5
 
 
-@pytest.mark.parametrize("banded", [True, False])
-def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else(banded: bool) -> None:
+@pytest.mark.parametrize(("banded", "wide"), [(True, 1.0), (False, 1.0), (True, 6.0)])
+def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else(
+    banded: bool, wide: float
+) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     from surfcmp_core.report.paper import Paper
@@ -329,7 +331,8 @@ def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else(banded: 
     exact = replace(comparison.measures, exact=comparison.measures)
     moved = np.eye(4)
     moved[0, 3] = 1 / 3
-    comparison = replace(comparison, measures=exact, transform=moved)
+    united = replace(comparison.united, nodes=comparison.united.nodes * (wide, 1.0))
+    comparison = replace(comparison, measures=exact, transform=moved, united=united)
     align = {"method": "icp", "residual": 0.25, "inliers": 7, "matrix": [[1.0]]}
     document = make_document(comparison, {"align": align})
     document["regions"] = with_regions()[1]["regions"]
