@@ -1,4 +1,4 @@
-"""Ctrl-C and a polite kill end the program soon, wherever they meet it."""
+"""Ctrl-C, a polite kill and a closed terminal end the program soon, wherever they meet it."""
 
 import os
 import signal
@@ -18,14 +18,20 @@ _SHOW_CURSOR = "\x1b[?25h"
 
 @contextmanager
 def stopping_soon() -> Iterator[None]:
-    """Let SIGINT and SIGTERM unwind the block, and end the process where that takes too long.
+    """Let SIGINT, SIGTERM and SIGHUP unwind the block; end the process where that takes too long.
 
-    The second signal does not wait. Either way no output is left half-written.
+    The second signal does not wait. Either way no output is left half-written. Signals that are
+    ignored (`nohup`, a script's background) stay so.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = {one: signal.getsignal(one) for one in (signal.SIGINT, signal.SIGTERM)}
+    before = {
+        one: handler
+        for name in ("SIGINT", "SIGTERM", "SIGHUP")
+        if (one := getattr(signal, name, None))
+        and (handler := signal.getsignal(one)) != signal.SIG_IGN
+    }
     told = sys.unraisablehook
 
     def stop(_signal: int, _frame: FrameType | None) -> None:

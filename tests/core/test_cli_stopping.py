@@ -24,7 +24,7 @@ def stubborn(_comparison, _document, stream):
     made = HalfMade()
     print("writing", flush=True)
     try:
-        time.sleep(60)
+        time.sleep(1 if "ignored" in sys.argv[1] else 60)
     finally:
         if "stubborn" in sys.argv[1]:
             time.sleep(60)
@@ -36,7 +36,7 @@ sys.exit(main(sys.argv[2:]))
 
 
 @pytest.mark.skipif(not hasattr(signal, "alarm"), reason="no alarms on this system")
-@pytest.mark.parametrize("kind", ["gentle", "stubborn", "stubborn, twice"])
+@pytest.mark.parametrize("kind", ["gentle", "stubborn", "stubborn, twice", "ignored"])
 def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) -> None:
     for name, height in (("a", 0), ("b", 1)):
         (tmp_path / f"{name}.xyz").write_text(
@@ -44,9 +44,11 @@ def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) ->
         )
     before = sorted(tmp_path.iterdir())
     files = [str(tmp_path / "a.xyz"), str(tmp_path / "b.xyz")]
+    ignore = "trap '' INT;" if kind == "ignored" else ""
+    shell = ["sh", "-c", f'{ignore} exec "$@"', "sh"]
     command = ["compare", *files, "--out", str(tmp_path / "r.npz"), "--quiet"]
     with subprocess.Popen(
-        [sys.executable, "-c", STUBBORN, kind, *command],
+        [*shell, sys.executable, "-c", STUBBORN, kind, *command],
         cwd=PROJECT,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -54,10 +56,13 @@ def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) ->
     ) as running:
         assert running.stdout
         assert running.stdout.readline() == "writing\n"
-        running.send_signal(signal.SIGINT)
+        running.send_signal(signal.SIGHUP if kind == "stubborn" else signal.SIGINT)
         if kind.endswith("twice"):
             running.send_signal(signal.SIGTERM)
         said = running.communicate(timeout=30)
-    assert running.returncode == 130
-    assert said == ("", "")
+    if kind == "ignored":
+        assert running.returncode == 0
+        assert (tmp_path / "r.npz").read_bytes() == b"half"
+        return
+    assert (running.returncode, *said) == (130, "", "")
     assert sorted(tmp_path.iterdir()) == before
