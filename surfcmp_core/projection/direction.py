@@ -29,8 +29,8 @@ _LATTICE = 3
 """The first views go through the points of a cube's surface, this many steps from its centre."""
 _STARTS = 2
 """The best of the first views, from which the search goes on."""
-_STEPS = np.radians([8.0, 4.0, 2.0])
-_LAST_STEPS = np.radians([2.0, 1.0, 0.5, 0.25, 0.125])
+_STEPS = np.radians([8.0, 4.0])
+_LAST_STEPS = np.radians([4.0, 2.0, 1.0, 0.5, 0.25, 0.125])
 _FIRST_LOOK = 5000
 """Bits that are enough but for the last steps."""
 
