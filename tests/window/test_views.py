@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
-from app.model.view_state import Place
+from app.model.view_state import Place, ViewState
 from app.scene.camera import Camera, home
 from app.scene.content import Content, content_of
 from app.scene.pick import (
@@ -22,6 +22,7 @@ from app.scene.pick import (
     point_in_view,
 )
 from app.scene.section import profile_of
+from app.views.studio import Pictures
 from app.window import MainWindow
 from surfcmp_core.comparison import Comparison
 from tests.window.builders import comparison_of, hills
@@ -221,3 +222,42 @@ def test_a_flight_goes_on_where_the_size_changes(sample: MainWindow, qtbot: QtBo
     qtbot.wait(60)
     sample.resize(sample.width() + 40, sample.height())
     qtbot.waitUntil(lambda: display.seen.back == (0.0, 0.0, 1.0), timeout=PATIENCE)
+
+
+def test_large_surfaces_are_sketched_before_they_are_drawn(
+    window: MainWindow,
+    files: tuple[Path, Path],
+    monkeypatch: pytest.MonkeyPatch,
+    qtbot: QtBot,
+):
+    monkeypatch.setattr("app.scene.coarse.NODES", 20)  # these are large, then
+    pictures: list[Pictures] = []
+    window.display.shown.connect(pictures.append)
+    window.opening.begin(list(files))
+    qtbot.waitUntil(lambda: bool(pictures) and pictures[-1].final, timeout=PATIENCE)
+    assert all(patch.coarse for patch in window.display.content.geometry.patches)
+    pictures.clear()
+    window.display.change(scale=replace(window.display.state.scale, limit=0.7))
+    qtbot.waitUntil(lambda: bool(pictures) and pictures[-1].final, timeout=PATIENCE)
+    assert [list(found.images) for found in pictures[:2]] == [[3], [3]]  # no other view changed
+    assert not pictures[0].final
+    window.display.change(edges=False)
+    qtbot.waitUntil(lambda: {0, 1, 2, 3} <= seen_in(pictures), timeout=PATIENCE)
+
+
+def seen_in(pictures: list[Pictures]) -> set[int]:
+    return {view for found in pictures for view in found.images}
+
+
+def test_drawing_is_given_up_where_something_else_is_wanted(apart: Content):
+    from app.scene.scene import VIEWS, scene_of
+    from app.views.renderer import Renderer, Tile
+
+    renderer = Renderer(VIEWS)
+    renderer.apply(scene_of(apart, ViewState()))
+    camera, tiles = home(apart.geometry, 1.0, True), [Tile(3, 80, 60), Tile(0, 80, 60)]
+    assert renderer.draw(camera, tiles, True, give_up=lambda: True) == {}
+    images = renderer.draw(camera, tiles, True, give_up=lambda: False)
+    assert [images[view].shape for view in (3, 0)] == [(60, 80, 4)] * 2
+    assert len(np.unique(images[3].reshape(-1, 4), axis=0)) > 20
+    renderer.close()
