@@ -17,7 +17,7 @@ MaxEdgeOption = Annotated[
         "--max-edge",
         metavar="X",
         help="Longest edge over which a cloud has data; inf: no limit.",
-        show_default="derived from the node spacing",
+        show_default="follows the spacing of the nodes around",
     ),
 ]
 ExactOption = Annotated[
