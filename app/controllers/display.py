@@ -55,7 +55,7 @@ class Display(QObject):
     shown = Signal(object)
     """Pictures reached the screen."""
     tool_changed = Signal(object)
-    _printed = Signal(object, object)
+    _printed = Signal(object, object, bool)
     path_drawn = Signal(object, object)
     """Tool, and places (x, y) in the plane of comparison."""
     landmark_picked = Signal(int, object)
@@ -187,18 +187,28 @@ class Display(QObject):
         self._rest.stop()
         self._wish(moving=self._flying)
 
-    def print(self, density: float, use: Callable[[], object]) -> None:
-        """Call `use` while the views hold pictures with `density` times the screen's pixels."""
+    def print(self, density: float, use: Callable[[], object], *, light: bool = False) -> None:
+        """Call `use` while the views hold pictures with `density` times the screen's pixels.
+
+        `light`: as for paper, also where the window is dark.
+        """
         if self.content is None or self._studio is None:
             return
         ratio, sizes = self._grid.devicePixelRatioF(), self._grid.sizes()
-        wish = Wish(self.content, self.state, self.camera, sizes, moving=False, ratio=ratio)
-        self._studio.print(Print(wish, density, lambda images: self._printed.emit(images, use)))
+        state = replace(self.state, dark=self.state.dark and not light)
+        wish = Wish(self.content, state, self.camera, sizes, moving=False, ratio=ratio)
 
-    def _use_print(self, images: dict[int, QImage], use: Callable[[], object]) -> None:
+        def done(images: dict[int, QImage]) -> None:
+            self._printed.emit(images, use, state.dark)
+
+        self._studio.print(Print(wish, density, done))
+
+    def _use_print(self, images: dict[int, QImage], use: Callable[[], object], dark: bool) -> None:
         if self._studio is not None:
-            with self._grid.holding(images, theme(self.state.dark)):
+            with self._grid.holding(images, theme(dark)):
                 use()
+            for frame in self._grid.frames:
+                frame.canvas.show_image(frame.canvas.image, theme(self.state.dark))
 
     def press(self, key: int, shifted: bool) -> bool:
         """Move the camera by a key; say whether the key means anything."""

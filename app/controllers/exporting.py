@@ -1,5 +1,6 @@
 """Asks where to, and has results written beside the window."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.jobs.exporting import Picture, export
 from app.jobs.runner import Runner
+from app.theme import theme
 
 if TYPE_CHECKING:
     from app.window import MainWindow
@@ -67,7 +69,8 @@ class Exporting(QObject):
             self.runner.start(lambda _progress: export(result, state, paths, pictures, hide))
 
         if any(path.suffix in REPORTS for path in paths):
-            self._window.display.print(REPORT_DENSITY, lambda: begin(self.pictures(REPORT_DENSITY)))
+            display = self._window.display
+            display.print(REPORT_DENSITY, lambda: begin(self.pictures(REPORT_DENSITY)), light=True)
         else:
             begin([])
 
@@ -99,12 +102,18 @@ class Exporting(QObject):
         return picture
 
     def pictures(self, density: int) -> list[Picture]:
-        """Return each visible view with its scale and legend, as PNG files."""
-        return [
+        """Return each visible view with its scale and legend, light as paper, as PNG files."""
+        grid, showing, state = self._window.grid, self._window.showing, self._window.display.state
+        grid.dress(theme(False))
+        showing.explain(replace(state, dark=False))
+        found = [
             (frame.title.text, _png(_drawn(frame.canvas, density).toImage()))
-            for frame in self._window.grid.frames
+            for frame in grid.frames
             if frame.isVisible()
         ]
+        grid.dress(theme(state.dark))
+        showing.explain(state)
+        return found
 
     def _finished(self, names: str) -> None:
         self._window.banner.tell(self.tr("Saved {}").format(names), "note")

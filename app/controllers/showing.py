@@ -155,17 +155,21 @@ class Showing(QObject):
             ),
             (heatmap, self._sense(state.heatmap)),
         ]
-        bar = colour_bar(comparison, state)
-        for view, (frame, (name, fact)) in enumerate(zip(window.grid.frames, texts, strict=True)):
+        for frame, (name, fact) in zip(window.grid.frames, texts, strict=True):
             frame.title.set_texts(name, fact)
-            frame.explain(
-                bar if view == 3 else None,
-                self.unit,
-                self.tr("no data"),
-                legend(counts, state, view),
-            )
+        self.explain(state)
         self._measure_views()
         self._show_probes(comparison, state)
+
+    def explain(self, state: ViewState) -> None:
+        """Show the scale and the legends of a state over the views."""
+        content = self._window.display.content
+        if content is None:
+            return
+        bar = colour_bar(content.comparison, state)
+        for view, frame in enumerate(self._window.grid.frames):
+            swatches = legend(content.counts, state, view)
+            frame.explain(bar if view == 3 else None, self.unit, self.tr("no data"), swatches)
 
     def _show_probes(self, comparison: Comparison, state: ViewState) -> None:
         kept = [reading_at(comparison, place) for place in state.probes]

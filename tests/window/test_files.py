@@ -1,7 +1,9 @@
 """Saving, exporting, finding again."""
 
+import base64
 import csv
 import json
+import re
 import zipfile
 from pathlib import Path
 
@@ -9,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
@@ -238,6 +241,24 @@ def test_one_action_writes_the_whole_report(
     found = {path.name: path.read_bytes()[:5] for path in tmp_path.iterdir() if path.is_file()}
     assert found == {"report.html": b"<!doc", "report.pdf": b"%PDF-"}
     assert "report.pdf" in sample.banner.label.text()
+
+
+def test_reports_are_light_where_the_window_is_dark(
+    sample: MainWindow, tmp_path: Path, qtbot: QtBot
+):
+    canvas = sample.grid.frames[0].canvas
+    corner = (8, canvas.height() // 2)
+    sample.actions_of.toggle_dark()
+    qtbot.waitUntil(lambda: canvas.grab().toImage().pixelColor(*corner).lightness() < 60)
+    dark = canvas.grab().toImage().pixelColor(*corner)
+    with qtbot.waitSignal(sample.exporting.runner.finished, timeout=PATIENCE):
+        sample.exporting.write(tmp_path / "out.html")
+    page = (tmp_path / "out.html").read_text()
+    (found,) = re.findall(r'<img alt="Surface 1" src="data:image/png;base64,([^"]+)"', page)
+    picture = QImage.fromData(base64.b64decode(found))
+    assert picture.pixelColor(16, picture.height() // 2).lightness() > 200
+    assert canvas.grab().toImage().pixelColor(*corner) == dark
+    sample.actions_of.toggle_dark()
 
 
 def test_exports_have_the_scale_and_regions_of_the_window(
