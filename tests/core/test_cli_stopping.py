@@ -19,15 +19,19 @@ class HalfMade:
     def __del__(self):
         self.handle
 
+def sleep(seconds):
+    for _ in range(10 * seconds):  # a signal just ahead of a sleep does not end it
+        time.sleep(0.1)
+
 def stubborn(_comparison, _document, stream):
     stream.write(b"half")
     made = HalfMade()
     print("writing", flush=True)
     try:
-        time.sleep(1 if "ignored" in sys.argv[1] else 60)
+        sleep(1 if "ignored" in sys.argv[1] else 60)
     finally:
         if "stubborn" in sys.argv[1]:
-            time.sleep(60)
+            sleep(60)
 
 stopping.PATIENCE = 1
 outputs.WRITERS[".npz"] = stubborn
