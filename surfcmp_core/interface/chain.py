@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.interface.disc import disc_holds
-from surfcmp_core.interface.events import N_TESTS, Event, Events, note
+from surfcmp_core.interface.events import N_TESTS, Event, Record, note
 from surfcmp_core.interface.joined import (
     MARKS,
     TREE_BITS,
@@ -78,7 +78,7 @@ def trace_chain(
     apex: NDArray[np.int32],
     stack: NDArray[np.int32],
     counters: NDArray[np.int64],
-    events: Events,
+    record: Record,
     a: int,
     b: int,
 ) -> bool:
@@ -94,7 +94,7 @@ def trace_chain(
         Bridges are pushed here: the half-edge from the free node, and the corner of the other grid
         where tracing stood.
     counters : int64
-    events
+    record
         The record.
     a, b : int
         The last corners passed at the ends A and B of the starter.
@@ -129,7 +129,7 @@ def trace_chain(
             onward = wide(words[np.uintp(out + TWIN)])
             onward_out = preceding(onward)
             W = wide(words[np.uintp(onward_out)])
-            if events is not None:
+            if record is not None:
                 counters[N_TESTS] += 1
             wx, wy = 0.0, 0.0
             if W >= 0:
@@ -147,10 +147,10 @@ def trace_chain(
                     break
             elif not disc_holds(nodes, words, onward, B):
                 break
-            if events is not None:
-                note(events, counters, _EDGE_PASSED, A, A1)
+            if record is not None:
+                note(record, counters, _EDGE_PASSED, A, A1)
                 if (words[first_of(onward) + MARKS] >> (TREE_BITS + (onward & 3))) & 1:
-                    note(events, counters, _BRIDGE, A1, A)
+                    note(record, counters, _BRIDGE, A1, A)
             top = _pass_and_push(words, stack, top, onward, onward, out, b)
             a, out, A1 = onward, onward_out, W
             ux, uy, u_square, a_cross_u = wx, wy, w_square, -w_cross_a
@@ -165,7 +165,7 @@ def trace_chain(
             back = wide(words[np.uintp(b + TWIN)])
             onward = following(back)
             W = wide(words[np.uintp(following(onward))])
-            if events is not None:
+            if record is not None:
                 counters[N_TESTS] += 1
             wx, wy = 0.0, 0.0
             if W >= 0:
@@ -183,10 +183,10 @@ def trace_chain(
                     break
             elif not disc_holds(nodes, words, onward, A):
                 break
-            if events is not None:
-                note(events, counters, _EDGE_PASSED, B, B1)
+            if record is not None:
+                note(record, counters, _EDGE_PASSED, B, B1)
                 if (words[first_of(onward) + MARKS] >> (TREE_BITS + (back & 3))) & 1:
-                    note(events, counters, _BRIDGE, B1, B)
+                    note(record, counters, _BRIDGE, B1, B)
             top = _pass_and_push(words, stack, top, onward, back, back, a)
             b, B1 = onward, W
             ux, uy, v_square, u_cross_b = wx, wy, w_square, -b_cross_w
@@ -212,7 +212,7 @@ def trace_chain(
                 take_A = True
             elif determinant >= -bound:
                 take_A = not _in_disc_exactly(nodes, A, B, A1, B1)
-            if events is not None:
+            if record is not None:
                 counters[N_TESTS] += 1
         # (d), (e) the edge to it is passed at its other end too; there the new edge continues
         if take_A:
@@ -227,8 +227,8 @@ def trace_chain(
             b = following(b)
             B = B1
             _pass(words, b)
-        if events is not None:
-            note(events, counters, _TRIANGLE, count, A1 if take_A else B1)
+        if record is not None:
+            note(record, counters, _TRIANGLE, count, A1 if take_A else B1)
         count += 1
     counters[N_TRIANGLES] = count
     counters[N_BRIDGES] = top

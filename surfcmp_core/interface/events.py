@@ -5,7 +5,7 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined
+from surfcmp_core.kernel import inlined, kernel
 
 
 class Event(IntEnum):
@@ -32,25 +32,63 @@ class Event(IntEnum):
     WALK = 9
     """The search from a bridge comes to a node behind its free node: that free node, the node."""
     DISC = 10
-    """A triangle at the starter's other end is destroyed: its first word, the free node."""
+    """A triangle at the starter's other end is destroyed: its number, the free node."""
 
 
-Events = NDArray[np.int32] | None
-"""(k, 4) int32: kind, its two numbers, discs tested so far; None records nothing at all."""
+Record = NDArray[np.int64] | None
+"""(k,) events, each packed into eight bytes, see `unpacked`; None records nothing at all."""
+
+_TESTS = 15
+"""Not an event: so many discs were tested meanwhile, more than fit into one."""
+_SMALL = 4
+"""Bits for the kind, and for the number of discs tested since the event before."""
+_LARGE = 28
+"""Bits for each of the two numbers: `Joined` has less nodes and triangles."""
 
 N_EVENTS = 4
 """Place of the number of events among the counters."""
 N_TESTS = 5
-"""Place of the number of discs and circles tested."""
+"""Place of the number of discs and circles tested since the last event."""
+
+
+@kernel
+def _note_tests(record: NDArray[np.int64], k: int, tests: int) -> int:
+    if k < record.size:
+        record[k] = (tests << (_LARGE + 2 * _SMALL)) | (_TESTS << _SMALL)
+    return k + 1
 
 
 @inlined
-def note(events: NDArray[np.int32], counters: NDArray[np.int64], kind: int, x: int, y: int) -> None:
-    """Record an event; past the end of `events` it is only counted."""
+def note(record: NDArray[np.int64], counters: NDArray[np.int64], kind: int, x: int, y: int) -> None:
+    """Record an event; past the end of `record` it is only counted."""
     k = counters[N_EVENTS]
-    if k < events.shape[0]:
-        events[k, 0] = kind
-        events[k, 1] = x
-        events[k, 2] = y
-        events[k, 3] = counters[N_TESTS]
+    tests = counters[N_TESTS]
+    if tests >> _SMALL:
+        k = _note_tests(record, k, tests)
+        tests = 0
+    if k < record.size:
+        numbers = (np.int64(x) << _LARGE) | (y + 1)
+        record[k] = (numbers << (2 * _SMALL)) | (kind << _SMALL) | tests
     counters[N_EVENTS] = k + 1
+    counters[N_TESTS] = 0
+
+
+def unpacked(record: NDArray[np.int64]) -> NDArray[np.int32]:
+    """List events.
+
+    Parameters
+    ----------
+    record : (k,) int64
+        As `note` packs them.
+
+    Returns
+    -------
+    (e, 4) int32
+        Kind, its two numbers, discs and circles tested so far.
+    """
+    kind = (record >> _SMALL) & (2**_SMALL - 1)
+    x = record >> (_LARGE + 2 * _SMALL)
+    y = ((record >> (2 * _SMALL)) & (2**_LARGE - 1)) - 1
+    tests = np.where(kind == _TESTS, x, record & (2**_SMALL - 1)).cumsum()
+    events = np.stack((kind, x, y, tests), axis=1)[kind != _TESTS]
+    return np.asarray(events, np.int32)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core._cache import is_compiled
 from surfcmp_core.interface.chain import N_BRIDGES, N_TRIANGLES, trace_chain
-from surfcmp_core.interface.events import N_EVENTS, Event, Events, note
+from surfcmp_core.interface.events import N_EVENTS, Event, Record, note, unpacked
 from surfcmp_core.interface.first_starter import first_starter
 from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, Joined, first_of, following
 from surfcmp_core.interface.next_starter import next_starter
@@ -44,17 +44,25 @@ class Chains:
     first : (C + 1,) int32
         Where each chain starts in `base`, and the end.
     closed : (C,) bool
-    events : (e, 4) int32
-        What tracing did, in its order: an `Event`, its two numbers, discs tested so far. Triangles
-        are numbered as they were emitted; where a chain ends on the hull, those of its first side
-        are turned round in `base` afterwards. Empty where nothing was recorded.
+    record : (k,) int64
+        What tracing did, packed; empty where nothing was recorded.
     """
 
     base: NDArray[np.int32]
     apex: NDArray[np.int32]
     first: NDArray[np.int32]
     closed: NDArray[np.bool_]
-    events: NDArray[np.int32]
+    record: NDArray[np.int64]
+
+    @property
+    def events(self) -> NDArray[np.int32]:
+        """(e, 4) int32: what tracing did, in its order.
+
+        An `Event`, its two numbers, discs and circles tested so far. Triangles are numbered as they
+        were emitted; where a chain ends on the hull, those of its first side are turned round in
+        `base` afterwards.
+        """
+        return unpacked(self.record)
 
 
 @kernel
@@ -76,14 +84,14 @@ def _extract(
     closed: NDArray[np.bool_],
     stack: NDArray[np.int32],
     counters: NDArray[np.int64],
-    events: Events,
+    record: Record,
     pause: int,
 ) -> bool:
     """Trace chains until about `pause` triangles are found; True when all chains are."""
     while counters[N_TRIANGLES] < pause:
         if counters[_STARTED] == 0:
             counters[_STARTED] = 1
-            a, b = first_starter(nodes, words, split, split_word, events, counters)
+            a, b = first_starter(nodes, words, split, split_word, record, counters)
         else:
             if counters[N_BRIDGES] == 0:
                 return True
@@ -91,26 +99,26 @@ def _extract(
             top = 2 * counters[N_BRIDGES]
             bridge = wide(stack[top])
             done = (words[first_of(bridge) + MARKS] >> (bridge & 3)) & 1
-            if events is not None:
+            if record is not None:
                 kind = _DONE if done else _TAKEN
-                note(events, counters, kind, words[bridge], words[following(bridge)])
+                note(record, counters, kind, words[bridge], words[following(bridge)])
             if done:
                 continue  # the free node has been traced meanwhile
-            a, b = next_starter(nodes, words, bridge, wide(stack[top + 1]), events, counters)
+            a, b = next_starter(nodes, words, bridge, wide(stack[top + 1]), record, counters)
         chain = counters[N_CHAINS]
         begin = counters[N_TRIANGLES]
         first[chain] = begin
-        if events is not None:
-            note(events, counters, _STARTER, words[a], words[b])
-        is_closed = trace_chain(nodes, words, base, apex, stack, counters, events, a, b)
-        if events is not None:
-            note(events, counters, _CLOSED if is_closed else _ENDED, chain, 0)
+        if record is not None:
+            note(record, counters, _STARTER, words[a], words[b])
+        is_closed = trace_chain(nodes, words, base, apex, stack, counters, record, a, b)
+        if record is not None:
+            note(record, counters, _CLOSED if is_closed else _ENDED, chain, 0)
         if not is_closed:  # the other side of the starter, its ends exchanged
             _turn_round(base, begin, counters[N_TRIANGLES])
             _turn_round(apex, begin, counters[N_TRIANGLES])
-            trace_chain(nodes, words, base, apex, stack, counters, events, b, a)
-            if events is not None:
-                note(events, counters, _ENDED, chain, 1)
+            trace_chain(nodes, words, base, apex, stack, counters, record, b, a)
+            if record is not None:
+                note(record, counters, _ENDED, chain, 1)
         closed[chain] = is_closed
         counters[N_CHAINS] = chain + 1
     return False
@@ -147,7 +155,7 @@ def extract_chains(
     """
     room = 8 * len(joined.nodes) if record else 0
     while True:
-        chains, wanted = _run(joined, progress, np.empty((room, 4), np.int32) if record else None)
+        chains, wanted = _run(joined, progress, np.empty(room, np.int64) if record else None)
         if wanted <= room:
             return chains
         room = wanted
@@ -155,7 +163,7 @@ def extract_chains(
 
 
 def _run(
-    joined: Joined, progress: Callable[[float], None] | None, events: Events
+    joined: Joined, progress: Callable[[float], None] | None, record: Record
 ) -> tuple[Chains, int]:
     """Trace all chains; return the number of events too, which may be more than there is room."""
     count = len(joined.nodes)
@@ -178,14 +186,14 @@ def _run(
         closed,
         stack,
         counters,
-        events,
+        record,
         int(counters[N_TRIANGLES]) + _SLICE,
     ):
         if progress is not None:
             progress(float(counters[N_TRIANGLES]) / room)
     triangles, chains = int(counters[N_TRIANGLES]), int(counters[N_CHAINS])
     first[chains] = triangles
-    found = np.empty((0, 4), np.int32) if events is None else events[: counters[N_EVENTS]]
+    found = np.empty(0, np.int64) if record is None else record[: counters[N_EVENTS]]
     return (
         Chains(base[:triangles], apex[:triangles], first[: chains + 1], closed[:chains], found),
         int(counters[N_EVENTS]),

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.interface.disc import disc_holds
-from surfcmp_core.interface.events import Event, Events, note
+from surfcmp_core.interface.events import Event, Record, note
 from surfcmp_core.interface.joined import TWIN, WORDS, preceding
 from surfcmp_core.interface.smallest_circle import is_better
 from surfcmp_core.kernel import kernel, wide
@@ -43,7 +43,7 @@ def first_starter(
     words: NDArray[np.int32],
     split: int,
     split_word: int,
-    events: Events,
+    record: Record,
     counters: NDArray[np.int64],
 ) -> tuple[int, int]:
     """Find the first starter: the corners of its two ends, each destroyed by the other end.
@@ -63,8 +63,8 @@ def first_starter(
         v_word, d_word = split_word, 0
     vx, vy = nodes[v, 0], nodes[v, 1]
     ux = nodes[d, 0]
-    if events is not None:
-        note(events, counters, _CIRCLE, v, d)
+    if record is not None:
+        note(record, counters, _CIRCLE, v, d)
     for k in range(begin, end):
         if ux < vx:
             better = (
@@ -76,8 +76,8 @@ def first_starter(
             better = nodes[k, 0] == vx and nodes[d, 1] < nodes[k, 1] < vy
         if better:
             d = k
-            if events is not None:
-                note(events, counters, _CIRCLE, v, d)
+            if record is not None:
+                note(record, counters, _CIRCLE, v, d)
     return (
         _corner_towards(nodes, words, v_word, v, d),
         _corner_towards(nodes, words, d_word, d, v),

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.interface.disc import disc_holds
-from surfcmp_core.interface.events import N_TESTS, Event, Events, note
-from surfcmp_core.interface.joined import TWIN, first_of, following, preceding
+from surfcmp_core.interface.events import N_TESTS, Event, Record, note
+from surfcmp_core.interface.joined import TWIN, WORDS, following, preceding
 from surfcmp_core.interface.smallest_circle import leads_on
 from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.predicates import orientation, scalar_product
@@ -22,7 +22,7 @@ def next_starter(
     words: NDArray[np.int32],
     bridge: int,
     other_corner: int,
-    events: Events,
+    record: Record,
     counters: NDArray[np.int64],
 ) -> tuple[int, int]:
     """Find a starter at the free node of a bridge.
@@ -35,7 +35,7 @@ def next_starter(
         Half-edge from the free node v to the other end u.
     other_corner : int
         Corner of the other triangulation at which the bridge was destroyed.
-    events, counters
+    record, counters
         The record.
 
     Returns
@@ -67,8 +67,8 @@ def next_starter(
         a_along, a_bound = ax * wx + ay * wy, abs(ax * wx) + abs(ay * wy)
         # (a) search along the bridge: step forward from behind v ...
         ahead = scalar_product(vx, vy, dx, dy, vx, vy, ux, uy) > 0.0
-        if events is not None:
-            note(events, counters, _CIRCLE if ahead else _WALK, v, d)
+        if record is not None:
+            note(record, counters, _CIRCLE if ahead else _WALK, v, d)
         k, before = h, h
         facing = wide(-1)
         left = False
@@ -77,7 +77,7 @@ def next_starter(
             e = wide(words[np.uintp(following(k))])
             if e >= 0:
                 # ... (d) then to nodes whose circles are smaller
-                if events is not None:
+                if record is not None:
                     counters[N_TESTS] += 1
                 ex, ey = nodes[np.uintp(e), 0], nodes[np.uintp(e), 1]
                 bx, by = ex - vx, ey - vy
@@ -108,7 +108,7 @@ def next_starter(
     h = before if facing < 0 else facing
     while not disc_holds(nodes, words, h, v):
         h = wide(words[preceding(h) + TWIN])
-    if events is not None:
-        note(events, counters, _DISC, first_of(h), v)
+    if record is not None:
+        note(record, counters, _DISC, h // WORDS, v)
     side = orientation(vx, vy, ux, uy, dx, dy)
     return (bridge if side >= 0.0 else following(wide(words[bridge + TWIN]))), h

@@ -17,7 +17,7 @@ _MOST_EDGES = 3
 """A planar graph without double edges has less than so many for each of its nodes."""
 
 
-@inlined
+@kernel
 def _shorter(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
@@ -147,7 +147,8 @@ def _keep_shortest(
             stays[k] = True
         else:
             b = shortest[q]
-            if _shorter(nodes, start, twin, edges[k], squares[k], edges[b], squares[b]):
+            g, h = wide(edges[k]), wide(edges[b])
+            if _shorter(nodes, start, twin, g, squares[k], h, squares[b]):
                 stays[b] = False
                 stays[k] = True
                 shortest[q] = k
@@ -194,7 +195,8 @@ def _join(
                 b, before = best[v], nearest[v]
                 shorter = square < before
                 if not abs(square - before) > _FILTER * (square + before):
-                    shorter = _shorter(nodes, start, twin, edges[k], square, edges[b], before)
+                    g, h = wide(edges[k]), wide(edges[b])
+                    shorter = _shorter(nodes, start, twin, g, square, h, before)
                 best[v] = k if shorter else b
                 nearest[v] = square if shorter else before
         parent = np.arange(parts).astype(np.int32)
