@@ -187,7 +187,7 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
     if other.any():
         buckets = buckets_of(t.nodes, faces[other])
         open_ = np.flatnonzero(state[: t.real] == HOLE)
-        centroids = t.nodes[t.triangles[open_]].mean(axis=1)
+        centroids = _centroids(t.nodes, t.triangles[open_])
         state[open_[covered_by(buckets, centroids)]] = _PARTIAL
     _flood_outside(t.twin, t.real, state)
     at_node = np.empty(len(t.nodes), np.uint8)
@@ -264,6 +264,30 @@ def _states(
 
 
 @kernel
+def _mean_of(a: float, b: float, c: float) -> float:
+    """Mean, the same to the last bit in whichever order."""
+    low, high = min(min(a, b), c), max(max(a, b), c)
+    middle = max(min(a, b), min(max(a, b), c))
+    return (low + middle + high) / 3.0
+
+
+@kernel
+def _fill_centroids(
+    nodes: NDArray[np.float64], triangles: NDArray[np.int32], centroids: NDArray[np.float64]
+) -> None:
+    for t in range(triangles.shape[0]):
+        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        for i in range(2):
+            centroids[t, i] = _mean_of(nodes[a, i], nodes[b, i], nodes[c, i])
+
+
+def _centroids(nodes: NDArray[np.float64], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
+    centroids = np.empty((len(triangles), 2))
+    _fill_centroids(nodes, triangles, centroids)
+    return centroids
+
+
+@kernel
 def _states_of_triangles(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
@@ -289,8 +313,8 @@ def _states_of_triangles(
         elif p == 2 or q == 2 or r == 2:
             states[t] = 2
         elif ask_centroids:
-            x = (corners[a, 0] + corners[b, 0] + corners[c, 0]) / 3.0
-            y = (corners[a, 1] + corners[b, 1] + corners[c, 1]) / 3.0
+            x = _mean_of(corners[a, 0], corners[b, 0], corners[c, 0])
+            y = _mean_of(corners[a, 1], corners[b, 1], corners[c, 1])
             column = min(max(int((x - x0) * per_cell), 0), near_gap.shape[1] - 1)
             row = min(max(int((y - y0) * per_cell), 0), near_gap.shape[0] - 1)
             if near_gap[row, column]:
@@ -353,7 +377,7 @@ def states_of_triangles(
         # nodes have been asked already: what is left are centroids beside triangles that are faces
         asked = np.flatnonzero(states != DATA)
         asked = asked[(node_states[triangles[asked]] == DATA).all(axis=1)]
-        centroids = nodes[triangles[asked]].mean(axis=1)
+        centroids = _centroids(nodes, triangles[asked])
         states[asked[covered_by(footprint.faces, centroids)]] = DATA
         states[states == _PARTIAL] = HOLE
     return states
