@@ -30,7 +30,8 @@ _LATTICE = 3
 _STARTS = 2
 """The best of the first views, from which the search goes on."""
 _STEPS = np.radians([8.0, 4.0])
-_LAST_STEPS = np.radians([4.0, 2.0, 1.0, 0.5, 0.25, 0.125])
+_LAST_STEPS = np.radians([4.0, 2.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.125])
+"""Every other one with its neighbours between those of the step before."""
 _FIRST_LOOK = 5000
 """Bits that are enough but for the last steps."""
 
@@ -42,7 +43,10 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     and with nothing in front. Of views that show the same, one is taken that leaves few gaps in
     its convex outline (seen from where it was taken a scan has none: what is missing was hidden)
     and casts a large shadow (for gently sloping meshes this is the area-weighted normal). Of a
-    closed mesh each view shows half or less: there the shadow alone decides, and counts for more.
+    closed mesh each view shows half or less, and convex ones half in each: there the shadow counts
+    for more, and where front and back show the same, the first triangles decide. A head may show
+    more of itself from the side than from the front: what is seen tells no face. Small loose parts
+    have no say.
     Each surface of a pair counts as much as the other. The search runs in axes that the shape
     itself gives, so that a turned scan has the turned direction; meshes go by their outward sides
     (right-hand rule).
@@ -118,7 +122,6 @@ def _own_axes(meshes: list[Samples]) -> NDArray[np.float64]:
 
 def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
     closed = bool(np.mean([m.openness for m in meshes]) < _CLOSED)
-
     hulls = [np.zeros((0, 3)) if closed else m.hull() for m in meshes]
 
     def value(meshes: list[Samples], direction: NDArray[np.float64]) -> float:
@@ -149,8 +152,8 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
         ends.append((start, whole(start)))
     decimals = _ALIKE_CLOSED if closed else _ALIKE
     best, reached = max(ends, key=lambda end: (round(end[1], decimals), end[0] @ moment))
-    for step in _LAST_STEPS:
-        best, reached = _climb(whole, best, reached, float(step))
+    for k, step in enumerate(_LAST_STEPS):
+        best, reached = _climb(whole, best, reached, float(step), between=k % 2 == 1)
     return np.asarray(best)
 
 
@@ -170,11 +173,13 @@ def _climb(
     direction: NDArray[np.float64],
     reached: float,
     step: float,
+    *,
+    between: bool = False,
 ) -> tuple[NDArray[np.float64], float]:
     """Go to the best of eight neighbours a step away, as long as that is better."""
     while True:
         across = frame(direction)[:2, :3]
-        angles = np.arange(8) * (np.pi / 4.0)
+        angles = (np.arange(8) + between / 2.0) * (np.pi / 4.0)
         ring = np.cos(step) * direction + np.sin(step) * (
             np.column_stack((np.cos(angles), np.sin(angles))) @ across
         )

@@ -10,6 +10,7 @@ from surfcmp_core.projection.removed import Fate
 
 _HIDDEN = int(Fate.HIDDEN)
 _DIRECTIONS = 8
+"""Along which triangles are told apart before anything exact is asked: every 22.5 degrees or so."""
 
 
 @kernel
