@@ -19,7 +19,7 @@ from tests.window.builders import comparison_of, hills
 
 QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, tempfile.mkdtemp())
 
-PATIENCE = 60_000
+PATIENCE = 180_000
 """Milliseconds to wait for a comparison: kernels may have to be compiled first."""
 
 
