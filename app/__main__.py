@@ -18,8 +18,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit status: 0 done, 2 wrong usage, 3 the input cannot be compared, 130 interrupted.
     """
-    from surfcmp_core.cli.main import run
-
+    try:
+        from surfcmp_core.cli.main import run
+    except KeyboardInterrupt:
+        return 130
     return run(sys.argv[1:] if arguments is None else arguments, _open_window)
 
 

@@ -250,6 +250,7 @@ def compare(
         )
         exact_values = None
         if exact:
+            footprints = [side.exact_area(domain, scaled) / scale / scale for side in sides]
             exact_values, exact_measures = measure_exactly(
                 sides[0].linear(domain),
                 sides[1].linear(domain),

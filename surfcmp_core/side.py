@@ -197,6 +197,13 @@ class Side:
         t = self.footprint.triangulation if domain == "hull" else united
         return float(triangle_areas(t.nodes, t.triangles).sum())
 
+    def exact_area(self, domain: Domain, united: United) -> float:
+        """Area as `area` has it, but of whole triangles of `linear` where those are not faces."""
+        if domain != "data":
+            return self.area(domain, united)
+        t = self.footprint.triangulation
+        return float(triangle_areas(t.nodes, t.triangles[self.footprint.covered]).sum())
+
     def linear(self, domain: Domain) -> LinearSurface:
         """Give F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""
         triangulation = self.footprint.triangulation

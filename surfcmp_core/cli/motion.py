@@ -17,7 +17,8 @@ def read_motion(path: Path) -> NDArray[np.float64]:
     Parameters
     ----------
     path
-        Text (four lines of four numbers, separated by white space, comma or semicolon) or .npy.
+        Text (four lines of four numbers, separated by white space, comma or semicolon; what
+        follows a # is left out) or .npy.
 
     Returns
     -------
@@ -34,7 +35,8 @@ def read_motion(path: Path) -> NDArray[np.float64]:
             matrix = np.asarray(np.load(path, allow_pickle=False), dtype=np.float64)
         else:
             text = path.read_text(encoding="utf-8-sig")
-            rows = [row.split() for row in text.replace(",", " ").replace(";", " ").splitlines()]
+            lines = text.replace(",", " ").replace(";", " ").splitlines()
+            rows = [line.partition("#")[0].split() for line in lines]
             matrix = np.array([[float(word) for word in row] for row in rows if row])
     except OSError as fault:
         raise InputError(f"{path}: {fault.strerror or fault}") from fault

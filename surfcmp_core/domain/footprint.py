@@ -193,7 +193,8 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
     at_node = np.empty(len(t.nodes), np.uint8)
     _at_nodes(t.start, state, at_node)
     at_node[faces.reshape(-1)] = DATA
-    return Footprint(t, state, at_node, buckets, float(areas.sum()), np.inf)
+    area = float(np.sort(areas).sum())  # the same in whichever order the faces come
+    return Footprint(t, state, at_node, buckets, area, np.inf)
 
 
 def footprint_of_cloud(

@@ -1,13 +1,10 @@
-"""The command line, mostly within this process: options, outputs, exit statuses."""
+"""The command line, mostly within this process: options and outputs."""
 
 import json
 import os
-import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,31 +12,10 @@ import pytest
 import surfcmp_core
 from app import __main__ as program
 from app.__main__ import main
-from surfcmp_core.placement import look_at
-from surfcmp_core.report import WRITERS
 from surfcmp_core.samples import sample_pair
-from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
-from tests.core.turning import mirrored_back
+from tests.core.said import lines
 
 PROJECT = Path(__file__).parents[2]
-
-
-@pytest.fixture
-def pair(tmp_path: Path) -> tuple[str, str]:
-    """Write a flat 5 x 5 lattice, and a cloud of 60 nodes a tenth above it."""
-    x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
-    first = tmp_path / "one.xyz"
-    np.savetxt(first, np.column_stack([x.ravel(), y.ravel(), np.zeros(25)]))
-    second = tmp_path / "two.csv"
-    places = np.random.default_rng(5).random((60, 2)) * 4
-    np.savetxt(second, np.column_stack([places, np.full(60, 0.1)]), delimiter=",")
-    return str(first), str(second)
-
-
-def lines(capsys: pytest.CaptureFixture[str]) -> list[str]:
-    """Give what was said on standard error, line by line."""
-    return capsys.readouterr().err.splitlines()
 
 
 def test_compare_prints_a_table(pair: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
@@ -105,7 +81,7 @@ def test_a_matrix_moves_the_second_surface(
 ) -> None:
     matrix = np.eye(4)
     matrix[2, 3] = -0.6
-    np.savetxt(tmp_path / "m.txt", matrix, delimiter=", ")
+    np.savetxt(tmp_path / "m.txt", matrix, delimiter=", ", header="moves the second surface")
     np.save(tmp_path / "m.npy", matrix)
     for name in ("m.txt", "m.npy"):
         file = str(tmp_path / name)
@@ -268,94 +244,6 @@ def test_a_best_fit_can_be_asked_for(
     assert document["measures"]["mean_abs"] < 0.01
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ["compare"],
-        ["compare", "{a}"],
-        ["compare", "{a}", "{b}", "{b}"],
-        ["compare", "{a}", "{b}", "--domain", "moon"],
-        ["compare", "{a}", "{b}", "--threads", "0"],
-        ["compare", "{a}", "{b}", "--threads", "two"],
-        ["compare", "{a}", "{b}", "--max-edge", "0"],
-        ["compare", "{a}", "{b}", "--max-edge", "nan"],
-        ["compare", "{a}", "{b}", "--tolerance", "-1"],
-        ["compare", "{a}", "{b}", "--tolerance", "inf"],
-        ["compare", "{a}", "{b}", "--project", "x"],
-        ["compare", "{a}", "{b}", "--project", "view:0,0,0"],
-        ["compare", "{a}", "{b}", "--project", "view:1,2"],
-        ["compare", "{a}", "{b}", "--out", "result.docx"],
-        ["compare", "{a}", "{b}", "--out", "{b}"],
-        ["compare", "{a}", "{b}", "--out", "/nowhere/at/all/r.json"],
-        ["compare", "{a}", "{b}", "--unit", "parsec"],
-        ["compare", "{a}", "{b}", "--nonsense"],
-        ["batch"],
-        ["batch", "{a}"],
-        ["batch", "{a}", "{b}", "--out", "r.png"],
-        ["info"],
-        ["info", "{a}", "{b}"],
-        ["--nonsense"],
-        ["{a}", "{b}", "{a}"],
-    ],
-)
-def test_wrong_usage_is_2_and_found_before_the_work(
-    pair: tuple[str, str],
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-    arguments: list[str],
-) -> None:
-    monkeypatch.setattr("surfcmp_core.io.read_surface", None)
-    monkeypatch.setattr(program, "_open_window", None)
-    assert main([word.format(a=pair[0], b=pair[1]) for word in arguments]) == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert "Traceback" not in said.err
-    assert said.err
-
-
-@pytest.mark.parametrize("command", ["compare", "info"])
-def test_input_that_cannot_be_read_is_3_and_one_line(
-    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
-) -> None:
-    for name, content in (("none.ply", None), ("empty.xyz", ""), ("odd.doc", "1 2 3")):
-        file = tmp_path / name
-        if content is not None:
-            file.write_text(content)
-        others = [pair[0]] if command == "compare" else []
-        out = ["--out", str(tmp_path / "r.json")] if command == "compare" else []
-        assert main([command, *others, str(file), *out]) == 3
-        said = capsys.readouterr()
-        assert said.out == ""
-        (line,) = said.err.splitlines()
-        assert line.startswith(f"surfcmp: {file}: ")
-    assert not (tmp_path / "r.json").exists()
-
-
-def test_surfaces_apart_are_3_and_one_line(
-    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    far = tmp_path / "far.xyz"
-    far.write_text("100 100 0\n101 100 0\n100 101 0\n")
-    assert main(["compare", pair[0], str(far)]) == 3
-    (line,) = lines(capsys)
-    assert line.startswith("surfcmp: ")
-    assert "far.xyz" in line
-
-
-@pytest.mark.parametrize("scale", ["1e200", "1e-200"])
-def test_both_files_are_named_where_both_are_at_fault(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], scale: str
-) -> None:
-    files = [tmp_path / "a.xyz", tmp_path / "b.xyz"]
-    for file in files:
-        file.write_text(
-            "".join(f"{x}{scale[1:]} {y}{scale[1:]} 0\n" for x, y in ("00", "90", "09"))
-        )
-    assert main(["compare", *map(str, files)]) == 3
-    (line,) = lines(capsys)
-    assert line.startswith(f"surfcmp: {files[0]} and {files[1]}: coordinates up to 9e")
-
-
 def test_units_that_differ_are_refused_unless_one_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -377,177 +265,6 @@ def test_one_stated_unit_serves_both(tmp_path: Path, capsys: pytest.CaptureFixtu
     document = json.loads(capsys.readouterr().out)
     assert document["options"]["unit"] == "m"
     assert document["warnings"][0] == "no unit stated in b.xyz: taken as m"
-
-
-def test_info_tells_what_a_file_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "fold.off"
-    file.write_text("OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 1\n0 4 1\n4 4 2\n3 0 1 2\n3 0 2 3\n3 0 3 1\n")
-    assert main(["info", str(file)]) == 0
-    said = capsys.readouterr()
-    assert said.err == ""
-    table = dict(
-        row.strip().split(maxsplit=1)
-        for row in said.out.replace("one-valued", "one-valued").splitlines()[1:]
-        if " " in row.strip()
-    )
-    assert table["kind"] == "mesh"
-    assert table["nodes"].strip() == "5"
-    assert table["triangles"].strip() == "3"
-    assert table["x"] == "0 to 4.000, extent 4.000"
-    assert table["one-valued"].startswith("no: 2 nodes share x, y with one of another z; 33.3 %")
-
-
-def _facts(capsys: pytest.CaptureFixture[str]) -> dict[str, str]:
-    rows = (row.strip().split("  ", 1) for row in capsys.readouterr().out.splitlines()[1:])
-    return {row[0]: row[1].strip().replace("\u2009", " ") for row in rows if len(row) == 2}
-
-
-def test_info_tells_what_is_seen_of_a_closed_mesh(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    closed = mirrored_back(sheet(lambda x, y: 0.3 * np.cos(x) * np.cos(y), wide=1.3), 0.2)
-    speck = closed.points[closed.faces[:1]].reshape(-1, 3) + np.array([0.0, 0.0, 0.5])
-    points = np.concatenate((closed.points, speck, [[0.0, 0.0, 9.0]]))
-    faces = np.concatenate((closed.faces, np.arange(3)[None] + len(closed.points)))
-    np.savez(tmp_path / "a.npz", points=points, faces=faces, meta=json.dumps({"units": "mm"}))
-    assert main(["info", str(tmp_path / "a.npz")]) == 0
-    table = _facts(capsys)
-    direction, angle = table["direction"].split(": ")
-    assert angle.endswith("° from z")
-    assert float(angle.split("°")[0]) < 10.0
-    assert float(direction.split(", ")[2]) > 0.98
-    sight = look_at(Surface(points, faces.astype(np.int32)))
-    kept = sight.part.points
-    share = 100.0 * len(kept) / len(points)
-    total = sight.removed.area_kept + sum(sight.removed.area.values())
-    assert table["kept"].startswith(f"{len(kept)} nodes ({share:.4g} %), ")
-    assert table["kept"].endswith(f" mm² ({100.0 * sight.removed.area_kept / total:.4g} %)")
-    assert float(table["kept"].split(", ")[1].split(" mm²")[0]) == pytest.approx(
-        sight.removed.area_kept, rel=1e-3
-    )
-    assert table["unused"] == f"1 nodes ({100.0 / len(points):.4g} %)"
-    assert table["island"].startswith("3 nodes (")
-    lost = sum(int(table[name].split(" nodes")[0]) for name in sight.removed.nodes)
-    assert lost == len(points) - len(kept)
-    assert "max-edge" not in table
-
-
-def test_info_tells_where_a_cloud_has_data(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    x, y = np.meshgrid(np.arange(10.0), np.arange(10.0))
-    one = np.column_stack((x.ravel(), y.ravel(), np.zeros(100)))
-    two, up = one + np.array([14.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
-    np.savetxt(tmp_path / "a.xyz", np.concatenate((one, two, one + up, two + up)))
-    assert main(["info", str(tmp_path / "a.xyz"), "--unit", "m"]) == 0
-    table = _facts(capsys)
-    assert table["with data"] == "1.620e8 mm² (78.26 %) of the convex hull"
-    assert table["max-edge"] == "4000 mm"
-    assert table["kept"] == "200 nodes (50 %)"
-    assert table["hidden"] == "200 nodes (50 %)"
-
-
-def test_info_of_a_cloud_that_stands_upright(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    wall = np.random.default_rng(0).random((50, 3)) * [0.0, 1.0, 1.0]
-    np.savetxt(tmp_path / "a.xyz", wall)
-    assert main(["info", str(tmp_path / "a.xyz")]) == 0
-    table = _facts(capsys)
-    assert table["direction"] == "1.0000, 0.0000, 0.0000: 90.0° from z"
-    assert table["nothing"].endswith("all nodes lie on one line in the plane")
-
-
-def test_interruption_is_130_and_leaves_nothing(
-    pair: tuple[str, str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    def interrupted(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setitem(WRITERS, ".npz", interrupted)
-    before = sorted(tmp_path.iterdir())
-    outs = [str(tmp_path / "r.json"), "--out", str(tmp_path / "r.npz")]
-    assert main(["compare", *pair, "--out", *outs]) == 130
-    assert sorted(tmp_path.iterdir()) == before
-    assert capsys.readouterr() == ("", "")
-
-
-def test_termination_cleans_up_as_interruption_does(
-    pair: tuple[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def terminated(*_: object) -> None:
-        os.kill(os.getpid(), signal.SIGTERM)
-        time.sleep(5)
-
-    monkeypatch.setitem(WRITERS, ".npz", terminated)
-    before = sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)
-    assert main(["compare", *pair, "--out", str(tmp_path / "r.npz")]) == 130
-    assert (sorted(tmp_path.iterdir()), signal.getsignal(signal.SIGTERM)) == before
-
-
-def test_a_full_disk_is_3_and_one_line(
-    pair: tuple[str, str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    def full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setitem(WRITERS, ".npz", full)
-    out = tmp_path / "r.npz"
-    assert main(["compare", *pair, "--out", str(out)]) == 3
-    assert lines(capsys) == [f"surfcmp: {out}: cannot be written (No space left on device)"]
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
-@pytest.mark.parametrize(
-    ("command", "target", "status", "said"),
-    [
-        ("compare", "pipe", 130, ""),
-        ("--help", "pipe", 130, ""),
-        ("compare", "/dev/full", 3, "surfcmp: standard output: No space left on device\n"),
-    ],
-)
-def test_a_closed_or_full_standard_output_ends_without_a_traceback(
-    pair: tuple[str, str], command: str, target: str, status: int, said: str
-) -> None:
-    if target == "pipe":
-        reader, out = os.pipe()
-        os.close(reader)
-    else:
-        out = os.open(target, os.O_WRONLY)
-    done = subprocess.run(
-        [sys.executable, "-m", "app", command, *pair, *(["--json"] * (command == "compare"))],
-        stdout=out,
-        stderr=subprocess.PIPE,
-        text=True,
-        check=False,
-        cwd=PROJECT,
-        env={name: text for name, text in os.environ.items() if name != "PYTHONUNBUFFERED"},
-    )
-    os.close(out)
-    assert (done.returncode, done.stderr) == (status, said)
-
-
-def test_a_bar_is_drawn_on_a_terminal_only(
-    pair: tuple[str, str],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    from surfcmp_core.cli.bar import progress_bar
-
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
-    monkeypatch.setenv("TERM", "xterm")
-    with progress_bar(quiet=False) as progress:
-        progress("spanning_trees", 0.5)
-    assert "spanning trees" in capsys.readouterr().err
-    with progress_bar(quiet=True) as progress:
-        progress("spanning_trees", 0.5)
-    assert capsys.readouterr().err == ""
 
 
 def test_no_command_opens_the_window(
@@ -587,107 +304,6 @@ def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
         assert option in said
     for option in ("--project", "--out", "--json", "--quiet", "--threads"):
         assert option in said
-
-
-def test_batch_compares_all_pairs_and_goes_on_after_a_failure(
-    pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    import csv
-
-    folder = tmp_path / "more"
-    folder.mkdir()
-    (folder / "bad.xyz").write_text("1 2 3\n")
-    (folder / "notes.md").write_text("not a surface")
-    outs = [tmp_path / "r.csv", tmp_path / "r.json"]
-    arguments = [*pair, str(folder), "--out", str(outs[0]), "--out", str(outs[1])]
-    assert main(["batch", *arguments]) == 3
-    said = capsys.readouterr()
-    assert said.err.count("bad.xyz") == 1
-    assert said.out.count("failed") == 2
-    assert "0.1000 mm" in said.out
-    with outs[0].open(newline="", encoding="utf-8") as stream:
-        rows = list(csv.DictReader(stream))
-    assert [bool(row["error"]) for row in rows] == [False, True, True]
-    assert float(rows[0]["mean_abs"]) == pytest.approx(0.1)
-    whole = json.loads(outs[1].read_text(encoding="utf-8"))
-    assert list(whole["pairs"][0])[:2] == ["schema", "program"]
-    assert list(whole["pairs"][1]) == ["inputs", "error"]
-
-    assert main(["batch", *pair, "--quiet"]) == 0
-    assert capsys.readouterr() == ("", "")
-
-
-def test_batch_reads_each_file_once_and_can_be_repeated(
-    pair: tuple[str, str],
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    from surfcmp_core.cli import batch
-
-    def counted(path: Path, unit: str | None) -> Surface:
-        taken.append(path.name)
-        return read_surface(path, unit=unit)
-
-    taken: list[str] = []
-    read_surface = surfcmp_core.read_surface
-    monkeypatch.setattr(batch, "read", counted)
-    (tmp_path / "three.xyz").write_text("0 0 0\n4 0 0\n4 4 0\n0 4 0\n")
-    (tmp_path / "bad.ply").write_text("nothing")
-    (tmp_path / "._one.xyz").write_text("what another system leaves")
-    command = ["batch", str(tmp_path), "--quiet", "--out", str(tmp_path / "table.csv")]
-    for _ in range(2):
-        assert main(command) == 3
-        (line,) = lines(capsys)
-        assert line.endswith("bad.ply: it does not begin with 'ply'")
-        assert sorted(taken) == ["bad.ply", "one.xyz", "three.xyz", "two.csv"]
-        taken.clear()
-    table = (tmp_path / "table.csv").read_text().splitlines()
-    assert len(table) == 1 + 6
-    assert sum("bad.ply: it does" in row for row in table) == 3
-
-    monkeypatch.setattr(batch, "_KEPT", 10)
-    assert main(command) == 3
-    assert [taken.count(name) for name in ("bad.ply", "one.xyz", "two.csv")] == [1, 1, 2]
-    assert main(["batch", str(tmp_path), str(tmp_path / "table.csv"), *command[2:]]) == 2
-
-
-def test_a_pair_without_memory_does_not_stop_the_others(
-    pair: tuple[str, str],
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    from surfcmp_core.cli import batch
-
-    def compared(surfaces: tuple[Surface, Surface], *rest: object) -> object:
-        if surfaces[1].name == "two.csv":
-            raise MemoryError
-        return compare_surfaces(surfaces, *rest)
-
-    compare_surfaces: Any = batch.compare_surfaces
-    monkeypatch.setattr(batch, "compare_surfaces", compared)
-    third = tmp_path / "three.xyz"
-    third.write_text(Path(pair[0]).read_text())
-    assert main(["batch", *pair, str(third)]) == 3
-    said = capsys.readouterr()
-    assert said.err == f"surfcmp: {pair[0]} and {pair[1]}: not enough memory\n"
-    assert said.out.count("failed") == 1
-
-
-def test_a_fault_of_the_program_is_one_line(
-    pair: tuple[str, str],
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def faulty(*_: object) -> None:
-        raise ValueError("first\nsecond")
-
-    monkeypatch.setattr("surfcmp_core.cli.compare.compare_files", faulty)
-    assert main(["compare", *pair]) == 3
-    (line,) = lines(capsys)
-    assert line.startswith("surfcmp: internal error, please report it: ValueError: first")
-    assert "(test_cli.py, line " in line
 
 
 def test_the_package_gives_what_is_asked_for() -> None:
