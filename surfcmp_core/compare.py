@@ -21,6 +21,7 @@ from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
+from surfcmp_core.warming import begin_to_compile
 
 _SQUARABLE = 500
 """Between 2**-500 and 2**500 areas are told without over- or underflow."""
@@ -34,6 +35,7 @@ def _explained(progress: Progress) -> Progress:
     """Say so where the first use of the program compiles its kernels, which takes its time."""
     if kernels_are_ready():
         return progress
+    begin_to_compile()
     return lambda stage, share: progress(f"{stage} (compiling, on first use only)", share)
 
 

@@ -27,7 +27,7 @@ ORDER = (
     {"united"},
     {"domain", "measures"},
     {"comparison"},
-    {"side", "stages"},
+    {"side", "stages", "warming"},
     {"compare", "report"},
     {"cli"},
 )

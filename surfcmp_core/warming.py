@@ -1,0 +1,64 @@
+"""First use: another process compiles the later stages while this one compiles the first.
+
+numba compiles one kernel at a time in a process; both leave what they compile in the same cache.
+"""
+
+import contextlib
+import os
+import subprocess
+import sys
+import threading
+
+import numpy as np
+
+_PROGRAM = "from surfcmp_core.warming import compile_later_stages; compile_later_stages()"
+
+
+def begin_to_compile() -> None:
+    """Start the other process, where there is a second processor for it, and leave it to itself."""
+    if sys.executable and (os.cpu_count() or 1) > 1:
+        threading.Thread(target=_run, name="compiling", daemon=True).start()
+
+
+def _run() -> None:
+    quiet = subprocess.DEVNULL
+    command = [sys.executable, "-c", _PROGRAM]
+    with contextlib.suppress(OSError):  # what is not compiled there is compiled here
+        subprocess.run(command, stdin=quiet, stdout=quiet, stderr=quiet, check=False)
+
+
+def compile_later_stages() -> None:
+    """Locate, interpolate and measure on one triangle: what comes after trees and chains."""
+    from surfcmp_core.domain import footprint_of_cloud, reasons
+    from surfcmp_core.domain.footprint import states_at, states_of_triangles
+    from surfcmp_core.interpolation import interpolate
+    from surfcmp_core.localisation import locate_along_tree
+    from surfcmp_core.measures import hausdorff, measure, triangle_areas
+    from surfcmp_core.triangulation import Triangulation
+
+    nodes = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    z = np.array([0.0, 1.0, 2.0])
+    start = np.array([0, 1, 2, 1, 0, -1, 2, 1, -1, 0, 2, -1], np.int32)
+    twin = np.array([3, 6, 9, 0, 11, 7, 1, 5, 10, 2, 8, 4], np.int32)
+    t = Triangulation(nodes, start, twin, 1)
+    tree = np.array([[0, 1], [0, 2]], np.int32)
+    found = locate_along_tree(t, nodes, tree)
+    filled = interpolate(t, z, nodes, found)
+    hausdorff(nodes, z, nodes, z, t, found)
+    footprint = footprint_of_cloud(t, tree, None)
+    at_nodes = states_at(footprint, nodes, found)
+    triangles = t.triangles.copy()
+    states = states_of_triangles(footprint, nodes, triangles, at_nodes, found, ask_centroids=True)
+    compared = reasons(states, states, triangle_areas(nodes, triangles)) == 0
+    measure(
+        nodes,
+        np.array([1, 2, 3], np.uint8),
+        triangles,
+        filled,
+        z + 0.5,
+        compared,
+        tolerances=(1.0,),
+        footprint_1=1.0,
+        footprint_2=1.0,
+        hausdorff=(0.0, 0.0),
+    )
