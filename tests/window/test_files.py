@@ -55,7 +55,8 @@ def test_a_session_restores_everything(
     sample.showing.keep_probe()
     sample.alignment_of.add_landmark(1, sample.session.shown.content.geometry.origin)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
-    sample.scale.changed.emit(Scale(2.5, (0.3, 0.7), banded=True, pinned=True))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.scale.changed.emit(Scale(2.5, (0.3, 0.7), banded=True, pinned=True))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         sample.regions_of.draw(Tool.LASSO, ((-9.0, -9.0), (9.0, -9.0), (0.0, 9.0)))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
@@ -68,7 +69,8 @@ def test_a_session_restores_everything(
         sample.sessions.save(path)
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, *files)
-    sample.scale.changed.emit(Scale(1.0, (0.5,), pinned=True))
+    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        sample.scale.changed.emit(Scale(1.0, (0.5,), pinned=True))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, path)
     assert sample.session.document == document
