@@ -8,12 +8,9 @@ from surfcmp_core.interface.events import N_TESTS, Event, Record, note
 from surfcmp_core.interface.joined import TWIN, WORDS, following, preceding
 from surfcmp_core.interface.smallest_circle import leads_on
 from surfcmp_core.kernel import kernel, wide
-from surfcmp_core.predicates import orientation, scalar_product
+from surfcmp_core.predicates import CIRCLES_FILTER, orientation, scalar_product
 
 _CIRCLE, _WALK, _DISC = int(Event.CIRCLE), int(Event.WALK), int(Event.DISC)
-
-_CIRCLE_FILTER = 16.0 * 2.0**-53
-"""As in the comparison of two tangent circles."""
 
 
 @kernel
@@ -83,7 +80,7 @@ def next_starter(
                 bx, by = ex - vx, ey - vy
                 b_square = bx * bx + by * by
                 gain = a_square * (bx * wx + by * wy) - b_square * a_along
-                bound = _CIRCLE_FILTER * (
+                bound = CIRCLES_FILTER * (
                     a_square * (abs(bx * wx) + abs(by * wy)) + b_square * a_bound
                 )
                 if ahead and abs(gain) > bound:

@@ -10,9 +10,10 @@ from surfcmp_core.predicates.in_circle import LENGTHS_FILTER, in_circle, in_disc
 from surfcmp_core.predicates.lengths import compare_lengths
 from surfcmp_core.predicates.orientation import orientation
 from surfcmp_core.predicates.scalar_product import scalar_product
-from surfcmp_core.predicates.tangent_circles import compare_tangent_circles
+from surfcmp_core.predicates.tangent_circles import CIRCLES_FILTER, compare_tangent_circles
 
 __all__ = [
+    "CIRCLES_FILTER",
     "LENGTHS_FILTER",
     "compare_lengths",
     "compare_tangent_circles",

@@ -4,7 +4,8 @@ from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates.expansion import difference, leading, multiply, subtract
 from surfcmp_core.predicates.scalar_product import exact_scalar_product
 
-_FILTER = 16.0 * 2.0**-53
+CIRCLES_FILTER = 16.0 * 2.0**-53
+"""Bound on the rounding error of the comparison, in units of its terms' magnitudes."""
 
 
 @kernel
@@ -63,6 +64,6 @@ def compare_tangent_circles(
     first = a_square * (bdx * wx + bdy * wy)
     second = b_square * (adx * wx + ady * wy)
     bound = a_square * (abs(bdx * wx) + abs(bdy * wy)) + b_square * (abs(adx * wx) + abs(ady * wy))
-    if abs(first - second) > _FILTER * bound:
+    if abs(first - second) > CIRCLES_FILTER * bound:
         return first - second
     return _compare_exact(vx, vy, ux, uy, ax, ay, bx, by)
