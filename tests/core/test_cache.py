@@ -1,6 +1,7 @@
 """Compiled kernels always find a place that can be written."""
 
 import os
+import re
 import shutil
 from pathlib import Path
 
@@ -31,6 +32,10 @@ def test_kernels_go_to_the_user_and_belong_to_the_sources(
     changed = user_cache / "changed"
     shutil.copytree(Path(_cache.__file__).parent, changed)
     monkeypatch.setattr(_cache, "__file__", str(changed / "_cache.py"))
+    with (changed / "io" / "read.py").open("a") as source:
+        source.write("# no kernel is compiled from this\n")
+    _cache.use_own_cache()
+    assert Path(os.environ.pop("NUMBA_CACHE_DIR")) == folder
     with (changed / "predicates" / "orientation.py").open("a") as source:
         source.write("# changed\n")
     _cache.use_own_cache()
@@ -60,3 +65,14 @@ def test_choice_of_the_user_stands(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", "/somewhere")
     _cache.use_own_cache()
     assert os.environ["NUMBA_CACHE_DIR"] == "/somewhere"
+
+
+def test_no_kernel_is_compiled_from_parts_that_do_not_count() -> None:
+    core = Path(_cache.__file__).parent
+    kernel = re.compile("^@(kernel|inlined)$", re.MULTILINE)
+    files = [path for path in core.rglob("*.py") if kernel.search(path.read_text("utf-8"))]
+    assert len(files) > 30
+    for path in files:
+        assert path.relative_to(core).parts[0] not in _cache.WITHOUT_KERNELS, path
+        for part in _cache.WITHOUT_KERNELS:
+            assert f"surfcmp_core.{part}" not in path.read_text("utf-8"), f"{path} imports {part}"
