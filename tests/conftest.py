@@ -1,10 +1,14 @@
 """What all tests share."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+from surfcmp_core.surface import Surface
+from tests.scans import MADE, made_scan, real_scan
 
 # The machine decides how long an example takes; pytest's timeout watches over the whole test.
 settings.register_profile("surfcmp", deadline=None)
@@ -19,3 +23,15 @@ def shared() -> Path:
     if not (folder / "data").is_dir():
         pytest.skip(f"no real scans here: {folder / 'data'} is absent (set SURFCMP_SHARED)")
     return folder
+
+
+@pytest.fixture(scope="session")
+def scan(request: pytest.FixtureRequest) -> Callable[[str], Surface]:
+    """Load a scan by name: one of our own making always, a real one where it is at hand."""
+
+    def load(name: str) -> Surface:
+        if name in MADE:
+            return made_scan(name)
+        return real_scan(request.getfixturevalue("shared"), name)
+
+    return load

@@ -15,7 +15,7 @@ from surfcmp_core.samples import sample_pair
 from surfcmp_core.surface import Surface
 from surfcmp_core.thinning import thin_random
 from tests.core.test_projection_direction import sheet
-from tests.core.turning import any_motion, left_over, scan
+from tests.core.turning import any_motion, left_over
 
 
 def after(matrix, points):
@@ -246,8 +246,9 @@ def test_sample_face_from_far_off_by_landmarks():
 
 
 @pytest.mark.parametrize("degrees", [5.0, 30.0])
-def test_real_face_against_a_thinned_noisy_copy(shared, degrees):
-    face = scan(shared, "face_avg_f18")
+@pytest.mark.parametrize("name", ["face_avg_f18", "made_face"])
+def test_face_against_a_thinned_noisy_copy(scan, name, degrees):
+    face = scan(name)
     rng = np.random.default_rng(3)
     copy = thin_random(face, 0.5, seed=3)
     copy = replace(copy, points=copy.points + rng.normal(size=copy.points.shape) * 0.2)
@@ -256,7 +257,8 @@ def test_real_face_against_a_thinned_noisy_copy(shared, degrees):
     turned = moved(copy, motion)
     start = None
     if degrees > 5.0:
-        picked = [10, 2000, 4000, 7000]
+        picked = np.array([0.001, 0.25, 0.5, 0.9]) * len(copy.points)
+        picked = picked.astype(int)
         marks = copy.points[picked] + rng.normal(size=(4, 3)) * 2.0
         start = fit_landmarks(marks, turned.points[picked]).matrix
     found = best_fit(face, turned, start=start)
@@ -265,9 +267,10 @@ def test_real_face_against_a_thinned_noisy_copy(shared, degrees):
     assert distance <= 0.05
 
 
-def test_borders_of_real_scans_do_not_draw(shared):
+@pytest.mark.parametrize("name", ["face_avg_f18", "made_face"])
+def test_borders_of_scans_do_not_draw(scan, name):
     # with partners on borders allowed, twice as much is left over
-    face = scan(shared, "face_avg_f18")
+    face = scan(name)
     rng = np.random.default_rng(9)
     y = face.points[face.faces, 1]
     upper = replace(face, faces=face.faces[(y > -20.0).all(axis=1)])
@@ -280,10 +283,14 @@ def test_borders_of_real_scans_do_not_draw(shared):
     assert distance < 0.02
 
 
-@pytest.mark.parametrize("seed", [0, 6])
-def test_unlike_jaws_turned_about_a_far_centre_settle(shared, seed):
+JAWS = ("jaw_crowns_ref_L0", "jaw_crowns_pred_L0")
+MADE_JAWS = ("made_jaw", "made_jaw_later")
+
+
+@pytest.mark.parametrize(("names", "seed"), [(JAWS, 0), (JAWS, 6), (MADE_JAWS, 0), (MADE_JAWS, 8)])
+def test_unlike_jaws_turned_about_a_far_centre_settle(scan, names, seed):
     # step by step they would creep along for more than sixty rounds
-    reference, predicted = (scan(shared, f"jaw_crowns_{name}_L0") for name in ("ref", "pred"))
+    reference, predicted = map(scan, names)
     rng = np.random.default_rng(seed)
     centre = reference.points.mean(axis=0)
     motion = any_motion(rng, 5.0, 0.0, centre + rng.normal(size=3) * 30.0)

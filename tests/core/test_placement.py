@@ -7,19 +7,21 @@ from surfcmp_core import compare
 from surfcmp_core.placement import look_at, place
 from surfcmp_core.projection import moved
 from tests.core.test_projection_direction import sheet
-from tests.core.turning import any_motion, mirrored_back, scan
+from tests.core.turning import any_motion, mirrored_back
 
 PAIRS = [
     ("face_demo_10k", "face_demo_1k"),
     ("face_ict_neutral", "face_ict_smile"),
     ("ct_skin", "ct_skull"),
+    ("made_face_fine", "made_face_coarse"),
+    ("made_skin", "made_bone"),
 ]
 RELATIVE = ["mean_abs", "rms", "max_abs", "p95", "rho_V", "rho_delta_V", "area_compared"]
 
 
 @pytest.mark.parametrize("names", PAIRS, ids=" ".join)
-def test_turned_pairs_have_the_same_measures(shared, names):
-    surfaces = [scan(shared, name) for name in names]
+def test_turned_pairs_have_the_same_measures(scan, names):
+    surfaces = [scan(name) for name in names]
     measures = compare(*place(*surfaces, "auto").surfaces).measures
     motion = any_motion(np.random.default_rng(4), 130.0, 300.0, np.zeros(3))
     placed = place(*[moved(surface, motion) for surface in surfaces], "auto")

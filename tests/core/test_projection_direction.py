@@ -8,7 +8,7 @@ import pytest
 from surfcmp_core.errors import InputError
 from surfcmp_core.projection import frame, moved, schlicht_part, viewing_direction
 from surfcmp_core.surface import Surface
-from tests.core.turning import any_motion, mirrored_back, scan
+from tests.core.turning import any_motion, mirrored_back
 
 FACES = [
     ("face_nricp_source", "face_nricp_target"),
@@ -20,11 +20,16 @@ FACES = [
     ("face_leeperrysmith",),
     ("face_fran",),
     ("face_james",),
+    ("made_face", "made_face_later"),
+    ("made_face_fine", "made_face_coarse"),
+    ("made_face_later",),
 ]
 OTHERS = [
     ("jaw_crowns_ref_L0", "jaw_crowns_pred_L0"),
     ("ct_skin", "ct_skull"),
     ("jaw_cast_3shape",),
+    ("made_jaw", "made_jaw_later"),
+    ("made_skin", "made_bone"),
 ]
 
 
@@ -86,8 +91,8 @@ def test_turned_mesh_has_the_turned_direction(closed):
 
 
 @pytest.mark.parametrize("names", FACES + OTHERS, ids=" ".join)
-def test_real_scans(shared, names):
-    surfaces = [scan(shared, name) for name in names]
+def test_real_scans(scan, names):
+    surfaces = [scan(name) for name in names]
     direction = viewing_direction(*surfaces)
     if names in FACES:
         assert angle(direction, np.array([0.0, 0.0, 1.0])) < 10.0
@@ -96,15 +101,17 @@ def test_real_scans(shared, names):
 
 
 @pytest.mark.parametrize("flatter", [0.05, 0.3, 1.0])
-def test_closed_face_is_seen_from_the_front(shared, flatter):
-    closed = mirrored_back(scan(shared, "face_demo_10k"), flatter)
+def test_closed_face_is_seen_from_the_front(scan, flatter):
+    closed = mirrored_back(scan("face_demo_10k"), flatter)
     assert angle(viewing_direction(closed), np.array([0.0, 0.0, 1.0])) < 10.0
 
 
-@pytest.mark.parametrize("name", ["face_demo_10k", "face_avg_f18", "face_avg_f66", "face_fran"])
+@pytest.mark.parametrize(
+    "name", ["face_demo_10k", "face_avg_f18", "face_avg_f66", "face_fran", "made_face"]
+)
 @pytest.mark.parametrize("turned", [False, True])
-def test_face_with_a_loose_mirrored_back_is_seen_from_the_front_or_its_image(shared, name, turned):
-    face = scan(shared, name)
+def test_face_with_a_loose_mirrored_back_is_seen_from_the_front_or_its_image(scan, name, turned):
+    face = scan(name)
     n = len(face.points)
     back = face.points * [1.0, 1.0, -1.0] + [0.0, 0.0, 2.0 * face.points[:, 2].min()]
     both = replace(
@@ -157,9 +164,9 @@ def test_debris_has_no_say():
 
 
 @pytest.mark.parametrize("name", ["face_ict_neutral", "face_demo_10k", "face_avg_f66"])
-def test_closed_face_shows_its_largest_area(shared, name):
+def test_closed_face_shows_its_largest_area(scan, name):
     # from the side the shadow is larger, but less of the face is seen
-    closed = mirrored_back(scan(shared, name), 0.3)
+    closed = mirrored_back(scan(name), 0.3)
     direction = viewing_direction(closed)
     assert angle(direction, np.array([0.0, 0.0, 1.0])) < 10.0
     _, removed = schlicht_part(moved(closed, frame(direction)))

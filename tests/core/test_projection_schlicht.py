@@ -12,7 +12,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.projection import Fate, frame, moved, schlicht_part, viewing_direction
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
-from tests.core.turning import mirrored_back, scan
+from tests.core.turning import mirrored_back
 
 
 def exact(points):
@@ -298,17 +298,19 @@ def test_nothing_to_see_is_refused():
         schlicht_part(upright)
 
 
-@pytest.mark.parametrize("name", ["face_demo_1k", "face_nricp_source", "ct_skull"])
-def test_real_scans_are_one_valued_already(shared, name):
-    surface = scan(shared, name)
+@pytest.mark.parametrize(
+    "name", ["face_demo_1k", "face_nricp_source", "ct_skull", "made_face", "made_bone"]
+)
+def test_real_scans_are_one_valued_already(scan, name):
+    surface = scan(name)
     part, removed = schlicht_part(surface)
     assert not removed.nodes
     np.testing.assert_array_equal(part.faces, surface.faces)
 
 
-@pytest.mark.parametrize("name", ["face_demo_10k", "face_ict_smile"])
-def test_closed_face_gives_back_its_front(shared, name):
-    face = scan(shared, name)
+@pytest.mark.parametrize("name", ["face_demo_10k", "face_ict_smile", "made_face"])
+def test_closed_face_gives_back_its_front(scan, name):
+    face = scan(name)
     closed = mirrored_back(face)
     part, removed = schlicht_part(closed)
     np.testing.assert_array_equal(part.points, face.points)
@@ -317,8 +319,9 @@ def test_closed_face_gives_back_its_front(shared, name):
     assert_accounted(closed, part, removed)
 
 
-def test_turned_scan_gives_the_same_part(shared):
-    face = scan(shared, "face_ict_smile")
+@pytest.mark.parametrize("name", ["face_ict_smile", "made_face"])
+def test_turned_scan_gives_the_same_part(scan, name):
+    face = scan(name)
     direction = np.array([0.5, -0.1, 0.8])  # from the side: the nose hides a cheek
     part, removed = schlicht_part(moved(face, frame(direction)))
     assert removed.nodes["hidden"] > 20
@@ -327,7 +330,8 @@ def test_turned_scan_gives_the_same_part(shared):
     assert len(again.faces) == pytest.approx(len(part.faces), rel=1e-3)
 
 
-def test_found_direction_shows_nearly_all(shared):
-    face = scan(shared, "face_james")
+@pytest.mark.parametrize("name", ["face_james", "made_face"])
+def test_found_direction_shows_nearly_all(scan, name):
+    face = scan(name)
     part, _ = schlicht_part(moved(face, frame(viewing_direction(face))))
     assert len(part.faces) > 0.995 * len(face.faces)

@@ -13,7 +13,7 @@ from surfcmp_core.placement import look_at, place
 from surfcmp_core.projection import wound_alike
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
-from tests.core.turning import mirrored_back, scan
+from tests.core.turning import mirrored_back
 
 KEY = "triangles turned to wind like their neighbours"
 
@@ -112,8 +112,9 @@ def test_neighbours_agree_wherever_they_can(triangles):
         assert clashes(turned) == 0
 
 
-def test_turned_triangles_of_a_pair_are_counted_and_none_is_lost(shared):
-    face = scan(shared, "face_demo_10k")
+@pytest.mark.parametrize("name", ["face_demo_10k", "made_face_fine"])
+def test_turned_triangles_of_a_pair_are_counted_and_none_is_lost(scan, name):
+    face = scan(name)
     mixed, count = turned_at_random(face, 0.1, 2)
     placed = place(mixed, face, (0.0, 0.0, 1.0))
     assert placed.surfaces[0].changed == {KEY: count}

@@ -42,13 +42,6 @@ def left_over(
     return float(np.degrees(np.arctan2(sine, cosine))), float(np.linalg.norm(shift))
 
 
-def scan(folder, name: str) -> Surface:
-    """Load one of the real scans."""
-    with np.load(folder / "data" / f"{name}.npz") as file:
-        faces = file["faces"]
-        return Surface(file["points"], faces if len(faces) else None, name)
-
-
 def mirrored_back(surface: Surface, flatter: float = 0.5) -> Surface:
     """Close a sheet by its own mirror image, sewn to it at the border."""
     n = len(surface.points)
