@@ -4,7 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
+from surfcmp_core.predicates import scalar_product, twice_area
 from surfcmp_core.triangulation import Triangulation
+
+
+@kernel
+def _between(value: float, one: float, other: float) -> float:
+    """Keep rounding from leading out of what lies between two values."""
+    return min(max(value, min(one, other)), max(one, other))
 
 
 @kernel
@@ -17,21 +24,31 @@ def _in_triangle(
     px: float,
     py: float,
 ) -> float:
-    ax, ay = nodes[a, 0] - px, nodes[a, 1] - py
-    bx, by = nodes[b, 0] - px, nodes[b, 1] - py
-    cx, cy = nodes[c, 0] - px, nodes[c, 1] - py
-    at_a = max(bx * cy - by * cx, 0.0)
-    at_b = max(cx * ay - cy * ax, 0.0)
-    at_c = max(ax * by - ay * bx, 0.0)
+    """Return the value at p in the triangle abc, its border included.
+
+    Weights are the areas of p's three triangles. On a triangle so thin that its area is below the
+    rounding of its coordinates plain areas would be noise, these are right but for their last bits:
+    the value is a mean of the nodes' values, and a plane is met.
+    """
+    ax, ay, bx, by, cx, cy = (
+        nodes[a, 0],
+        nodes[a, 1],
+        nodes[b, 0],
+        nodes[b, 1],
+        nodes[c, 0],
+        nodes[c, 1],
+    )
+    at_a = twice_area(bx, by, cx, cy, px, py)
+    at_b = twice_area(cx, cy, ax, ay, px, py)
+    at_c = twice_area(ax, ay, bx, by, px, py)
+    if at_a < at_b or at_a < at_c:  # the heaviest node first, so that a constant stays constant
+        if at_b >= at_c:
+            a, at_a, b, at_b = b, at_b, a, at_a
+        else:
+            a, at_a, c, at_c = c, at_c, a, at_a
     total = at_a + at_b + at_c
-    if total == 0.0:  # p on a sliver whose area rounds to nothing
-        return float(z[a] + z[b] + z[c]) / 3.0
-    # relative to the heaviest node, so that a constant stays that constant
-    if at_a >= at_b and at_a >= at_c:
-        return float(z[a] + (at_b * (z[b] - z[a]) + at_c * (z[c] - z[a])) / total)
-    if at_b >= at_c:
-        return float(z[b] + (at_a * (z[a] - z[b]) + at_c * (z[c] - z[b])) / total)
-    return float(z[c] + (at_a * (z[a] - z[c]) + at_b * (z[b] - z[c])) / total)
+    value = z[a] + (at_b / total * (z[b] - z[a]) + at_c / total * (z[c] - z[a]))
+    return _between(value, min(min(z[a], z[b]), z[c]), max(max(z[a], z[b]), z[c]))
 
 
 @kernel
@@ -49,20 +66,25 @@ def _on_hull(
     came = 0
     while True:
         a, b = start[h], start[h + 1]
-        dx, dy = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
-        along = ((px - nodes[a, 0]) * dx + (py - nodes[a, 1]) * dy) / (dx * dx + dy * dy)
-        if along < 0.0:
+        ax, ay, bx, by = nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1]
+        from_a = scalar_product(ax, ay, bx, by, ax, ay, px, py)
+        from_b = scalar_product(bx, by, ax, ay, bx, by, px, py)
+        if from_a < 0.0:
             if came > 0:
                 return float(z[a])
             came = -1
             h = twin[h + 2] - 1
-        elif along > 1.0:
+        elif from_b < 0.0:
             if came < 0:
                 return float(z[b])
             came = 1
             h = twin[h + 1] - 2
         else:
-            return float(z[a] + along * (z[b] - z[a]))
+            if from_a < from_b:
+                value = z[a] + from_a / (from_a + from_b) * (z[b] - z[a])
+            else:
+                value = z[b] + from_b / (from_a + from_b) * (z[a] - z[b])
+            return _between(value, z[a], z[b])
 
 
 @kernel

@@ -8,7 +8,7 @@ is unique.
 
 from surfcmp_core.predicates.in_circle import LENGTHS_FILTER, in_circle, in_disc
 from surfcmp_core.predicates.lengths import compare_lengths
-from surfcmp_core.predicates.orientation import orientation
+from surfcmp_core.predicates.orientation import orientation, twice_area
 from surfcmp_core.predicates.scalar_product import scalar_product
 from surfcmp_core.predicates.tangent_circles import CIRCLES_FILTER, compare_tangent_circles
 
@@ -21,4 +21,5 @@ __all__ = [
     "in_disc",
     "orientation",
     "scalar_product",
+    "twice_area",
 ]

@@ -119,3 +119,12 @@ def subtract(e: Expansion, f: Expansion) -> Expansion:
 def leading(e: Expansion) -> float:
     """Return the largest component: it carries the sign of the whole."""
     return float(e[e.size - 1])
+
+
+@kernel
+def rounded(e: Expansion) -> float:
+    """Return the whole but for its last bits; the largest component alone has but the first one."""
+    total = 0.0
+    for component in e:
+        total += component
+    return total

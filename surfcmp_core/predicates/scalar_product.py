@@ -1,9 +1,8 @@
 """Whether one edge leads along another or against it."""
 
 from surfcmp_core.kernel import kernel
-from surfcmp_core.predicates.expansion import Expansion, add, difference, leading, multiply
-
-_FILTER = 8.0 * 2.0**-53
+from surfcmp_core.predicates.expansion import Expansion, add, multiply
+from surfcmp_core.predicates.products import CLEAR, difference_of_products
 
 
 @kernel
@@ -13,21 +12,10 @@ def exact_scalar_product(ax: Expansion, ay: Expansion, bx: Expansion, by: Expans
 
 
 @kernel
-def _scalar_product_exact(
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
-) -> float:
-    return leading(
-        exact_scalar_product(
-            difference(bx, ax), difference(by, ay), difference(dx, cx), difference(dy, cy)
-        )
-    )
-
-
-@kernel
 def scalar_product(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> float:
-    """Scalar product of ab and cd, exact in sign.
+    """Scalar product of ab and cd, exact in sign and right but for its last bits.
 
     Parameters
     ----------
@@ -41,6 +29,6 @@ def scalar_product(
     """
     first = (bx - ax) * (dx - cx)
     second = (by - ay) * (dy - cy)
-    if abs(first + second) > _FILTER * (abs(first) + abs(second)):
+    if abs(first + second) >= CLEAR * (abs(first) + abs(second)):
         return first + second
-    return _scalar_product_exact(ax, ay, bx, by, cx, cy, dx, dy)
+    return difference_of_products(bx, ax, dx, cx, by, ay, cy, dy)

@@ -21,6 +21,7 @@ from surfcmp_core.predicates import (
     in_disc,
     orientation,
     scalar_product,
+    twice_area,
 )
 from tests.core import oracles
 from tests.core.predicate_cases import COMPILED, Cases, blocks, whole_range
@@ -31,6 +32,7 @@ PREDICATES: dict[str, tuple[Callable[..., float], Callable[..., Any], int]] = {
     "compare_lengths": (compare_lengths, oracles.compare_lengths, 4),
     "compare_tangent_circles": (compare_tangent_circles, oracles.compare_tangent_circles, 4),
     "scalar_product": (scalar_product, oracles.scalar_product, 4),
+    "twice_area": (twice_area, oracles.orientation, 3),
 }
 
 Four = list[oracles.Place]
@@ -58,6 +60,21 @@ def test_signs_are_exact(name: str) -> None:
 @pytest.mark.parametrize("name", PREDICATES)
 def test_signs_are_exact_over_the_whole_range(name: str) -> None:
     _check_signs(name, whole_range(PREDICATES[name][2], seed=2))
+
+
+def _check_values(name: str, cases: Cases) -> None:
+    predicate, oracle, _ = PREDICATES[name]
+    for case in cases.tolist():
+        found = Fraction(predicate(*case))
+        expected = oracle(*map(Fraction, case))
+        assert abs(found - expected) <= abs(expected) / 2**47, f"{name}{tuple(case)}"
+
+
+@pytest.mark.parametrize("name", ["twice_area", "scalar_product"])
+def test_values_are_right_but_for_their_last_bits(name: str) -> None:
+    for cases in blocks(PREDICATES[name][2], seed=6):
+        _check_values(name, cases[: len(cases) // 4])
+    _check_values(name, whole_range(PREDICATES[name][2], seed=7))
 
 
 @pytest.mark.parametrize(("file", "name"), [("orient2d", "orientation"), ("incircle", "in_circle")])
@@ -166,4 +183,4 @@ def test_signs_are_exact_interpreted() -> None:
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "12 passed" in done.stdout
+    assert "14 passed" in done.stdout
