@@ -12,9 +12,11 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interface import kernels_are_ready
 from surfcmp_core.io.facts import folded_share
+from surfcmp_core.linear_algebra import composed, length
 from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
+from surfcmp_core.projection import moved
 from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
@@ -50,9 +52,7 @@ def _check_areas(box: tuple[float, float, float, float]) -> None:
 def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
     if len(surface.points) < 3:
         raise InputError(f"{surface.name}: {len(surface.points)} nodes; at least 3 are needed")
-    if np.array_equal(motion, np.eye(4)):
-        return surface
-    return replace(surface, points=surface.points @ motion[:3, :3].T + motion[:3, 3])
+    return moved(surface, motion)
 
 
 def _folding(surface: Surface) -> list[str]:
@@ -62,7 +62,7 @@ def _folding(surface: Surface) -> list[str]:
 
 def _unlike(first: Surface, second: Surface) -> list[str]:
     """Question a pair of which one is far larger than the other: their units may differ."""
-    sizes = [float(np.linalg.norm(np.ptp(s.points, axis=0))) for s in (first, second)]
+    sizes = [length(np.ptp(s.points, axis=0)) for s in (first, second)]
     ratio = max(sizes) / min(sizes)
     if ratio <= _ALIKE:
         return []
@@ -150,7 +150,7 @@ def compare(
     progress = _explained(progress)
     clock = Clock(progress, read_seconds)
     view = np.eye(4) if frame is None else np.asarray(frame, np.float64)
-    motion = view if align is None else view @ np.asarray(align, np.float64)
+    motion = view if align is None else composed(view, align)
 
     with clock.stage("triangulate", 0.0):
         placed = _placed(surface_1, view), _placed(surface_2, motion)

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.linear_algebra import composed
 from surfcmp_core.projection import (
     Removed,
     frame,
@@ -121,7 +122,7 @@ def place(
     surface_1, surface_2 = wound_alike(surface_1), wound_alike(surface_2)
     second = surface_2 if align is None else moved(surface_2, align)
     turn = frame(viewing_direction(surface_1, second) if view == "auto" else view)
-    motions = (turn, turn if align is None else turn @ align)
+    motions = (turn, turn if align is None else composed(turn, align))
     part_1, removed_1 = schlicht_part(moved(surface_1, motions[0]))
     part_2, removed_2 = schlicht_part(moved(surface_2, motions[1]))
     return Placement((part_1, part_2), (removed_1, removed_2), motions)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from surfcmp_core.alignment.alignment import Alignment, Method
 from surfcmp_core.alignment.closest_points import Found, closest_points
 from surfcmp_core.alignment.side import Side, side_of
+from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection.frame import moved
 from surfcmp_core.surface import Surface
@@ -92,9 +93,9 @@ def best_fit(
     coarser = bool(np.median(sides[0].spacing) > np.median(sides[1].spacing))
     found = _fit(sides, coarser, motion, _BESIDE if overlap_only else None, _NEAR, onto_finer)
     matrix = found.motion.copy()
-    matrix[:3, 3] += origin - matrix[:3, :3] @ origin
+    matrix[:3, 3] += origin - dots(matrix[:3, :3], origin)
     return Alignment(
-        matrix if start is None else matrix @ start,
+        matrix if start is None else composed(matrix, start),
         method,
         found.residual,
         found.inliers,
@@ -115,12 +116,5 @@ def _fit(
     """Find the motion of surface 2, by moving either of the two."""
     if not first_moves:
         return closest_points(*sides, motion, beside, near, progress)
-    found = closest_points(sides[1], sides[0], _inverse(motion), beside, near, progress)
-    return replace(found, motion=_inverse(found.motion))
-
-
-def _inverse(motion: NDArray[np.float64]) -> NDArray[np.float64]:
-    inverse = np.eye(4)
-    inverse[:3, :3] = motion[:3, :3].T
-    inverse[:3, 3] = -motion[:3, :3].T @ motion[:3, 3]
-    return inverse
+    found = closest_points(sides[1], sides[0], inverse(motion), beside, near, progress)
+    return replace(found, motion=inverse(found.motion))

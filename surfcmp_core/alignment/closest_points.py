@@ -1,5 +1,6 @@
 """Iterated closest points with distances to tangent planes."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -8,6 +9,17 @@ from numpy.typing import NDArray
 
 from surfcmp_core.alignment.side import FEWEST, Side
 from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import (
+    applied,
+    composed,
+    dot,
+    dots,
+    least_solution,
+    length,
+    moments,
+    rotation,
+    weighed_sum,
+)
 
 _FAR = 3.0
 """Nodes farther off than this many standard deviations (by the median) do not count, and those
@@ -74,19 +86,19 @@ def closest_points(
     still = False
     rounds = 0
     while True:
-        at = nodes @ motion[:3, :3].T + motion[:3, 3]
+        at = applied(motion, nodes)
         partner = fixed.nearest(at)
         normal = fixed.normals[partner]
         away = at - fixed.places[partner]
-        off = np.einsum("ij,ij->i", away, normal)
+        off = dots(away, normal)
         paired = trusted[partner]
         weight = np.ones(len(at))
         if beside is not None:
-            aside = np.sqrt(np.maximum((away**2).sum(axis=1) - off**2, 0.0))
+            aside = np.sqrt(np.maximum(dots(away, away) - off * off, 0.0))
             paired &= aside <= beside * fixed.spacing[partner]
             deviation = 1.4826 * float(np.median(np.abs(off[paired]))) if paired.any() else 0.0
             limit = max(_FAR * deviation, 1e-9 * extent)
-            weight = np.maximum(1.0 - (off / limit) ** 2, 0.0) ** 2
+            weight = np.square(np.maximum(1.0 - np.square(off / limit), 0.0))
         inlier = paired & (weight > 0.0)
         count = int(np.count_nonzero(inlier))
         if count < FEWEST:
@@ -95,14 +107,14 @@ def closest_points(
                 "bring the surfaces nearer by landmarks first"
             )
         if still or rounds == _ROUNDS:
-            residual = float(np.sqrt((off[inlier] ** 2).mean()))
+            residual = math.sqrt(np.square(off[inlier]).mean())
             return Found(motion, residual, count, float(paired.mean()), rounds, still)
         turn_and_shift = _step(at[inlier], normal[inlier], off[inlier], weight[inlier])
         step = _motion(turn_and_shift)
-        still = float(np.abs(at @ step[:3, :3].T + step[:3, 3] - at).max()) <= near * extent
+        still = float(np.abs(applied(step, at) - at).max()) <= near * extent
         leap = 1.0 if still else _leap(turn_and_shift * way_scale, before)
         before = turn_and_shift * way_scale if leap == 1.0 else None
-        motion = (step if leap == 1.0 else _motion(leap * turn_and_shift)) @ motion
+        motion = composed(step if leap == 1.0 else _motion(leap * turn_and_shift), motion)
         rounds += 1
         progress(rounds / _ROUNDS)
 
@@ -116,25 +128,21 @@ def _step(
     """Give the small turn and shift that bring nodes nearest to their partners' planes."""
     slopes = np.column_stack((np.cross(at, normal), normal))
     # what no node resists (the turn of a sphere) stays as it is: least squares of least norm
-    return -np.linalg.pinv((slopes.T * weight) @ slopes, 1e-12, hermitian=True) @ (
-        slopes.T @ (weight * off)
-    )
+    return -least_solution(moments(slopes, weight), weighed_sum(weight * off, slopes), 1e-12)
 
 
 def _leap(way: NDArray[np.float64], before: NDArray[np.float64] | None) -> float:
     """Tell how many times its length a step may be made, after the step before."""
     if before is None:
         return 1.0
-    length, last = float(np.linalg.norm(way)), float(np.linalg.norm(before))
-    if not way @ before > _ALONG * length * last:
+    now, last = length(way), length(before)
+    if not dot(way, before) > _ALONG * now * last:
         return 1.0
-    return _LEAP if length >= last else min(1.0 / (1.0 - length / last), _LEAP)
+    return _LEAP if now >= last else min(1.0 / (1.0 - now / last), _LEAP)
 
 
 def _motion(turn_and_shift: NDArray[np.float64]) -> NDArray[np.float64]:
-    x, y, z = turn_and_shift[:3] / 2.0
-    half = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     step = np.eye(4)
-    step[:3, :3] = np.linalg.solve(np.eye(3) - half, np.eye(3) + half)  # Cayley: a rotation
+    step[:3, :3] = rotation((1.0, *turn_and_shift[:3] / 2.0))  # Cayley's, for small turns
     step[:3, 3] = turn_and_shift[3:]
     return step

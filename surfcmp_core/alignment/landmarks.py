@@ -1,10 +1,20 @@
 """Alignment by pairs of landmarks, in closed form."""
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from surfcmp_core.alignment.alignment import Alignment
 from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import (
+    dots,
+    eigen,
+    moments,
+    rotation,
+    turned,
+    weighed_sum,
+)
 
 _THIN = 0.01
 """Landmarks whose second spread is below this share of the first leave the turn about it open."""
@@ -33,8 +43,7 @@ def fit_landmarks(landmarks_1: ArrayLike, landmarks_2: ArrayLike) -> Alignment:
 
     References
     ----------
-    Kabsch 1976; Umeyama, Least-squares estimation of transformation parameters between two point
-    patterns, 1991 (without scale).
+    Horn, Closed-form solution of absolute orientation using unit quaternions, 1987.
     """
     p1 = np.asarray(landmarks_1, np.float64)
     p2 = np.asarray(landmarks_2, np.float64)
@@ -48,22 +57,39 @@ def fit_landmarks(landmarks_1: ArrayLike, landmarks_2: ArrayLike) -> Alignment:
     centre_1, centre_2 = p1.mean(axis=0), p2.mean(axis=0)
     q1, q2 = p1 - centre_1, p2 - centre_2
     for number, q in ((1, q1), (2, q2)):
-        spread = np.linalg.svd(q, compute_uv=False)
-        if not spread[1] > _THIN * spread[0]:
+        spread = eigen(moments(q, np.ones(len(q))))[0]
+        if not spread[1] > _THIN * _THIN * spread[2]:
             raise InputError(f"landmarks of surface {number} lie near one line")
 
-    u, _, vt = np.linalg.svd(q1.T @ q2)
-    handed = 1.0 if np.linalg.det(u @ vt) > 0.0 else -1.0
-    rotation = (u * [1.0, 1.0, handed]) @ vt
-    residual = _rms(q1 - q2 @ rotation.T)
+    values, vectors = eigen(_alike(q1, q2))
+    turn = rotation(vectors[:, -1])
+    residual = _rms(q1 - turned(q2, turn))
     rounding = 1e-9 * _rms(q1)
-    if handed < 0.0 and residual > rounding and _rms(q1 - q2 @ (u @ vt).T) < _MIRRORED * residual:
+    mirror = -rotation(vectors[:, 0])  # the best one, as that of the landmarks turned inside out
+    if (
+        -values[0] > values[-1]
+        and residual > rounding
+        and _rms(q1 - turned(q2, mirror)) < _MIRRORED * residual
+    ):
         raise InputError("landmarks of surface 2 are a mirror image of those of surface 1")
     matrix = np.eye(4)
-    matrix[:3, :3] = rotation
-    matrix[:3, 3] = centre_1 - rotation @ centre_2
+    matrix[:3, :3] = turn
+    matrix[:3, 3] = centre_1 - dots(turn, centre_2)
     return Alignment(matrix, "landmarks", residual, len(p1), 1.0, 0, True)
 
 
+def _alike(q1: NDArray[np.float64], q2: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the (4, 4) form that tells, for a unit quaternion, how well q2 turned agrees with q1."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = [weighed_sum(axis, q1).tolist() for axis in q2.T]
+    return np.array(
+        [
+            [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+            [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+            [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+            [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+        ]
+    )
+
+
 def _rms(vectors: NDArray[np.float64]) -> float:
-    return float(np.sqrt((vectors**2).sum(axis=1).mean()))
+    return math.sqrt(dots(vectors, vectors).mean())

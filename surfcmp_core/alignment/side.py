@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import length
 from surfcmp_core.surface import Surface
 
 FEWEST = 10
@@ -53,7 +54,7 @@ class Side:
     @property
     def extent(self) -> float:
         """Diagonal of the box around the nodes that are moved."""
-        return float(np.linalg.norm(np.ptp(self.moving, axis=0)))
+        return length(np.ptp(self.moving, axis=0))
 
     def nearest(self, places: NDArray[np.float64]) -> NDArray[np.intp]:
         """Give the node nearest to each place."""

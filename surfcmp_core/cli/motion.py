@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import composed, dot
 
 _RIGID = 1e-6
 """How far a rotation's own product with itself may be from the identity: rounded decimals."""
@@ -47,6 +48,7 @@ def read_motion(path: Path) -> NDArray[np.float64]:
     if not np.array_equal(matrix[3], [0, 0, 0, 1]):
         raise InputError(f"{path}: the last row of the matrix is not 0 0 0 1")
     turn = matrix[:3, :3]
-    if np.abs(turn @ turn.T - np.eye(3)).max() > _RIGID or np.linalg.det(turn) < 0:
+    handed = dot(turn[0], np.cross(turn[1], turn[2]))
+    if np.abs(composed(turn, turn.T) - np.eye(3)).max() > _RIGID or handed < 0:
         raise InputError(f"{path}: not a rigid motion: the matrix scales, shears or mirrors")
     return matrix

@@ -1,5 +1,6 @@
 """One pair of files, compared as the options say."""
 
+import math
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -63,8 +64,7 @@ def view_of(project: str) -> tuple[float, float, float]:
         x, y, z = (float(number) for number in numbers.split(","))
     except ValueError:
         kind, x, y, z = "", 0.0, 0.0, 0.0
-    length = (x * x + y * y + z * z) ** 0.5
-    if kind != "view" or not 0 < length < float("inf"):
+    if kind != "view" or not 0 < math.sqrt(x * x + y * y + z * z) < float("inf"):
         raise WrongUsage(f"--project {project}: not auto, z or view:X,Y,Z")
     return x, y, z
 

@@ -1,6 +1,6 @@
 """What a comparison would take of one file: the part that is seen, the places with data."""
 
-import numpy as np
+import math
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.report.numbers import figure, thousands
@@ -20,7 +20,7 @@ def sight_rows(surface: Surface) -> Rows:
         return [("nothing", str(fault))]
     removed = sight.removed
     direction = sight.motion[2, :3]
-    from_z = np.degrees(np.arctan2(np.hypot(direction[0], direction[1]), direction[2]))
+    from_z = math.degrees(math.acos(min(max(float(direction[2]), -1.0), 1.0)))
     places = ", ".join(f"{part:.4f}".replace("-", "−") for part in direction)
     nodes = {"kept": len(sight.part.points), **removed.nodes}
     area = {"kept": removed.area_kept, **removed.area} if surface.faces is not None else {}

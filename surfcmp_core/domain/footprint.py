@@ -140,7 +140,8 @@ def _keep_short(
         a, b, c = start[3 * t], start[3 * t + 1], start[3 * t + 2]
         ux, uy = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
         vx, vy = nodes[c, 0] - nodes[a, 0], nodes[c, 1] - nodes[a, 1]
-        longest = max(np.hypot(ux, uy), np.hypot(vx, vy), np.hypot(vx - ux, vy - uy))
+        wx, wy = vx - ux, vy - uy
+        longest = np.sqrt(max(ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy))
         one, other = min(limits[a], limits[b]), max(limits[a], limits[b])
         if longest <= max(one, min(other, limits[c])):  # the middle one of three
             state[t] = 0

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
+from surfcmp_core.linear_algebra import lengths
 
 _STEPS = 6
 """Edges of the tree so many steps from a node tell the spacing around it: fewer are at the mercy
@@ -131,8 +132,8 @@ def limits_of_edges(nodes: NDArray[np.float64], tree: NDArray[np.int32]) -> NDAr
     """
     spacing = spacing_at(nodes, tree)
     steps = nodes[tree[:, 0]] - nodes[tree[:, 1]]
-    lengths = np.hypot(steps[:, 0], steps[:, 1])
+    long = lengths(steps)
     around = np.maximum(spacing[tree[:, 0]], spacing[tree[:, 1]])
-    factor = _GAP * float(np.quantile(lengths / around, _USUAL))
-    most = _WIDEST * _GAP * float(np.quantile(lengths, _USUAL))
+    factor = _GAP * float(np.quantile(long / around, _USUAL))
+    most = _WIDEST * _GAP * float(np.quantile(long, _USUAL))
     return np.asarray(np.minimum(factor * spacing, most))

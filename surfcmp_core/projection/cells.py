@@ -1,5 +1,6 @@
 """Square cells over a projected mesh, and in which of them it may lie in several layers."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,7 +100,7 @@ def cells_over(nodes: NDArray[np.float64], border: NDArray[np.int64], triangles:
     wide, high = np.ptp(outermost, axis=(0, 1)).tolist()
     wanted = triangles / _IN_EACH + 1.0
     # square cells, but along a thin strip no more than wanted
-    side = max((wide * high / wanted) ** 0.5, max(wide, high) / wanted)
+    side = max(math.sqrt(wide * high / wanted), max(wide, high) / wanted)
     per_cell = 1.0 / side if side > 0.0 else 0.0
     shape = int(high * per_cell) + 1, int(wide * per_cell) + 1
     doubtful = np.zeros(shape, bool)

@@ -1,5 +1,6 @@
 """The viewing direction of scans that lie as they came."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 from itertools import product
@@ -8,6 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import (
+    dot,
+    dots,
+    eigen,
+    length,
+    lengths,
+    moments,
+    weighed_sum,
+)
 from surfcmp_core.projection.frame import frame
 from surfcmp_core.projection.samples import Samples, samples_of
 from surfcmp_core.projection.view import seen
@@ -29,9 +39,12 @@ _LATTICE = 3
 """The first views go through the points of a cube's surface, this many steps from its centre."""
 _STARTS = 2
 """The best of the first views, from which the search goes on."""
-_STEPS = np.radians([8.0, 4.0])
-_LAST_STEPS = np.radians([4.0, 2.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.125])
+_STEPS = (8.0, 4.0)
+"""Degrees, nearly: see `_ring`."""
+_LAST_STEPS = (4.0, 2.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.125)
 """Every other one with its neighbours between those of the step before."""
+_DIGITS = 12
+"""Decimals that a direction has: no more than its nodes tell, and none beside a file's axis."""
 _FIRST_LOOK = 5000
 """Bits that are enough but for the last steps."""
 
@@ -74,9 +87,7 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     if not meshes:
         return _normal_of_clouds(surfaces)
     axes = _own_axes(meshes)
-    turned = [mesh.turned(axes) for mesh in meshes]
-    found = _best_view(turned) @ axes
-    return np.asarray(found / np.linalg.norm(found))
+    return _rounded(weighed_sum(_best_view([mesh.turned(axes) for mesh in meshes]), axes))
 
 
 def _normal_of_clouds(surfaces: tuple[Surface, ...]) -> NDArray[np.float64]:
@@ -86,14 +97,19 @@ def _normal_of_clouds(surfaces: tuple[Surface, ...]) -> NDArray[np.float64]:
         scale = np.abs(places).max(initial=0.0)
         if scale > 0.0:
             places = places / scale
-            spread += places.T @ places / len(places) * scale**2
-    values, vectors = np.linalg.eigh(spread)
+            spread += moments(places, np.full(len(places), scale * scale / len(places)))
+    values, vectors = eigen(spread)
     if not values[1] > 1e-12 * values[2]:
         names = " and ".join(s.name for s in surfaces)
         raise InputError(f"{names}: no viewing direction, the nodes lie on one line")
     normal = vectors[:, 0]
     side = next(value for value in normal[::-1].tolist() if abs(value) > 1e-9)
-    return np.asarray(normal if side > 0.0 else -normal)
+    return _rounded(normal if side > 0.0 else -normal)
+
+
+def _rounded(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    found = np.round(direction, _DIGITS) + 0.0
+    return np.asarray(found / length(found))
 
 
 def _order_moment(meshes: list[Samples]) -> NDArray[np.float64]:
@@ -101,7 +117,7 @@ def _order_moment(meshes: list[Samples]) -> NDArray[np.float64]:
     moment = np.zeros(3)
     for mesh in meshes:
         early = np.linspace(1.0, -1.0, len(mesh.areas))
-        moment += (early * mesh.areas) @ mesh.normals
+        moment += weighed_sum(early * mesh.areas, mesh.normals)
     return moment
 
 
@@ -109,12 +125,12 @@ def _own_axes(meshes: list[Samples]) -> NDArray[np.float64]:
     """Give the principal axes as rows, right-handed, the last one the plane's normal."""
     spread = np.zeros((3, 3))
     for mesh in meshes:
-        own = (mesh.areas[:, None] * mesh.places).T @ mesh.places
+        own = moments(mesh.places, mesh.areas)
         spread += own / np.trace(own)
-    axes = np.linalg.eigh(spread)[1].T[::-1].copy()
+    axes = eigen(spread)[1].T[::-1].copy()
     moment = _order_moment(meshes)
     for k in (1, 2):
-        if axes[k] @ moment < 0.0:
+        if dot(axes[k], moment) < 0.0:
             axes[k] = -axes[k]
     axes[0] = np.cross(axes[1], axes[2])
     return np.asarray(axes)
@@ -128,7 +144,7 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
         total = 0.0
         for mesh, hull in zip(meshes, hulls, strict=True):
             area, shadow = seen(mesh, direction, whole=not closed)
-            outline = 0.5 * float(np.abs(hull @ direction).sum())
+            outline = 0.5 * float(np.abs(dots(hull, direction)).sum())
             filled = shadow / outline if outline > 0.0 else 1.0
             if closed:
                 total += area + _RANK_CLOSED * shadow
@@ -142,19 +158,35 @@ def _best_view(meshes: list[Samples]) -> NDArray[np.float64]:
     values = np.array([rough(d) for d in first])
     # where two sheets mirror each other, their views tie: the first triangles then decide
     moment = _order_moment(meshes)
-    order = np.lexsort((-first @ moment, -values.round(_ALIKE)))
+    order = np.lexsort((-dots(first, moment), -values.round(_ALIKE)))
     starts = [*first[order[:_STARTS]], -first[order[0]]]
     ends = []
     for start in starts:
         reached = rough(start)
         for step in _STEPS:
-            start, reached = _climb(rough, start, reached, float(step))
+            start, reached = _climb(rough, start, reached, step)
         ends.append((start, whole(start)))
     decimals = _ALIKE_CLOSED if closed else _ALIKE
-    best, reached = max(ends, key=lambda end: (round(end[1], decimals), end[0] @ moment))
+    best, reached = max(ends, key=lambda end: (round(end[1], decimals), dot(end[0], moment)))
     for k, step in enumerate(_LAST_STEPS):
-        best, reached = _climb(whole, best, reached, float(step), between=k % 2 == 1)
+        best, reached = _climb(whole, best, reached, step, between=k % 2 == 1)
     return np.asarray(best)
+
+
+def _corners(one: tuple[float, float], other: tuple[float, float]) -> NDArray[np.float64]:
+    """Give (2, 8): two vectors of the plane after none, one, two and three quarter turns."""
+    found = [np.array(one), np.array(other)]
+    for _ in range(6):
+        x, y = found[-2]
+        found.append(np.array([-y, x]))
+    return np.array(found).T
+
+
+_HALF = math.sqrt(0.5)
+_QUARTER = math.sqrt(0.5 + _HALF / 2.0), math.sqrt(0.5 - _HALF / 2.0)
+"""Cosine and sine of 22.5 degrees."""
+_AROUND = _corners((1.0, 0.0), (_HALF, _HALF))
+_BETWEEN = _corners(_QUARTER, (_QUARTER[1], _QUARTER[0]))
 
 
 def _views_all_round(meshes: list[Samples]) -> NDArray[np.float64]:
@@ -162,10 +194,10 @@ def _views_all_round(meshes: list[Samples]) -> NDArray[np.float64]:
     views = np.array(
         [p for p in product(steps, repeat=3) if max(map(abs, p)) == _LATTICE], np.float64
     )
-    normal = np.sum([m.areas @ m.normals for m in meshes], axis=0)
+    normal = np.sum([weighed_sum(m.areas, m.normals) for m in meshes], axis=0)
     if normal.any():
         views = np.vstack((views, normal))
-    return np.asarray(views / np.linalg.norm(views, axis=1)[:, None])
+    return np.asarray(views / lengths(views)[:, None])
 
 
 def _climb(
@@ -178,13 +210,22 @@ def _climb(
 ) -> tuple[NDArray[np.float64], float]:
     """Go to the best of eight neighbours a step away, as long as that is better."""
     while True:
-        across = frame(direction)[:2, :3]
-        angles = (np.arange(8) + between / 2.0) * (np.pi / 4.0)
-        ring = np.cos(step) * direction + np.sin(step) * (
-            np.column_stack((np.cos(angles), np.sin(angles))) @ across
-        )
+        ring = _ring(direction, step, between=between)
         values = [value(d) for d in ring]
         top = int(np.argmax(np.round(values, _ALIKE)))
         if not values[top] > reached + 10.0**-_ALIKE:
             return direction, reached
         direction, reached = np.asarray(ring[top]), values[top]
+
+
+def _ring(direction: NDArray[np.float64], step: float, *, between: bool) -> NDArray[np.float64]:
+    """Give eight unit vectors around one, all by the same small angle (in degrees) from it.
+
+    Turned by half a quarter's quarter where they are to lie `between`. Without a library's sine.
+    """
+    half = step * (math.pi / 360.0)  # for its tangent
+    cosine = (1.0 - half * half) / (1.0 + half * half)
+    sine = 2.0 * half / (1.0 + half * half)
+    across = frame(direction)[:2, :3]
+    u, v = (_BETWEEN if between else _AROUND) * sine
+    return np.asarray(cosine * direction + u[:, None] * across[0] + v[:, None] * across[1])

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.kernel import kernel
+from surfcmp_core.linear_algebra import applied, length, lengths
 from surfcmp_core.surface import Surface
 
 _FLAT = 0.01
@@ -35,12 +35,12 @@ def direction_of_landmarks(landmarks: ArrayLike) -> NDArray[np.float64]:
     if p.shape != (3, 3) or not np.isfinite(p).all():
         raise InputError("the viewing direction needs three landmarks of x, y, z each")
     sides = p - np.roll(p, 1, axis=0)
-    longest = np.linalg.norm(sides, axis=1).max()
+    longest = lengths(sides).max()
     normal = np.cross(p[1] - p[0], p[2] - p[0])
-    length = np.linalg.norm(normal)
-    if not length > _FLAT * longest**2:
+    size = length(normal)
+    if not size > _FLAT * longest * longest:
         raise InputError("the three landmarks of the viewing direction lie near one line")
-    return np.asarray(normal / length)
+    return np.asarray(normal / size)
 
 
 def frame(direction: ArrayLike) -> NDArray[np.float64]:
@@ -67,7 +67,7 @@ def frame(direction: ArrayLike) -> NDArray[np.float64]:
     if d.shape != (3,) or not np.isfinite(largest) or largest == 0.0:
         raise InputError(f"not a viewing direction: {np.asarray(direction).tolist()}")
     d = d / largest
-    d = d / np.linalg.norm(d)
+    d = d / length(d)
     x, y, z = d.tolist()
     matrix = np.eye(4)
     across = x * x + y * y
@@ -97,16 +97,4 @@ def moved(surface: Surface, matrix: NDArray[np.float64]) -> Surface:
     """
     if np.array_equal(matrix, np.eye(4)):
         return surface
-    points = np.empty_like(surface.points)
-    _move(surface.points, np.ascontiguousarray(matrix, np.float64), points)
-    return replace(surface, points=points)
-
-
-@kernel
-def _move(
-    points: NDArray[np.float64], matrix: NDArray[np.float64], to: NDArray[np.float64]
-) -> None:
-    for i in range(points.shape[0]):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        for k in range(3):
-            to[i, k] = matrix[k, 0] * x + matrix[k, 1] * y + matrix[k, 2] * z + matrix[k, 3]
+    return replace(surface, points=applied(matrix, surface.points))

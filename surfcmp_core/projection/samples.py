@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.linear_algebra import dots, lengths, turned, weighed_sum
 from surfcmp_core.projection.islands import join_pieces
 from surfcmp_core.surface import Surface
 
@@ -42,7 +43,7 @@ class Samples:
     def openness(self) -> float:
         """Length of the parts' vector areas over their area: 0 if all are closed, 1 if flat."""
         vectors = [np.bincount(self.pieces, self.areas * n) for n in self.normals.T]
-        return float(np.linalg.norm(vectors, axis=0).sum())
+        return float(lengths(np.stack(vectors, axis=-1)).sum())
 
     def thinned(self, step: int) -> "Samples":
         """Give every so manieth bit, all of them for less than two, for a first look."""
@@ -76,8 +77,8 @@ class Samples:
         """Give the same in other axes, the rows of a rotation."""
         return replace(
             self,
-            places=self.places @ axes.T,
-            normals=self.normals @ axes.T,
+            places=turned(self.places, axes),
+            normals=turned(self.normals, axes),
         )
 
 
@@ -100,7 +101,7 @@ def samples_of(surface: Surface) -> Samples | None:
     faces = surface.faces[:: max(1, len(surface.faces) // _WANTED)]
     corners = surface.points[faces] - surface.points[0]
     vector = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    double = np.linalg.norm(vector, axis=1)
+    double = lengths(vector)
     real = double > 0.0
     if not real.any():
         return None
@@ -110,11 +111,11 @@ def samples_of(surface: Surface) -> Samples | None:
     corners, vector, double = corners[real], vector[real], double[real]
     pieces = np.unique(pieces[real], return_inverse=True)[1].astype(np.int32)
     centres = _centres(max(1, round(np.sqrt(_WANTED / len(double)))))
-    places = np.einsum("kc,mcx->mkx", centres, corners).reshape(-1, 3)
+    places = dots(centres[:, None], corners.transpose(0, 2, 1)[:, None]).reshape(-1, 3)
     areas = np.repeat(double, len(centres)) / (double.sum() * len(centres))
     normals = np.repeat(vector / double[:, None], len(centres), axis=0)
     return Samples(
-        places - areas @ places,
+        places - weighed_sum(areas, places),
         normals,
         areas,
         np.repeat(pieces, len(centres)),

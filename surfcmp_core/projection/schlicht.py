@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.scaling import safe_scale
 from surfcmp_core.kernel import kernel
+from surfcmp_core.linear_algebra import length
 from surfcmp_core.predicates import orientation
 from surfcmp_core.projection.border import border_of
 from surfcmp_core.projection.cells import cells_over
@@ -158,7 +159,7 @@ def _facing(surface: Surface, scale: float) -> tuple[NDArray[np.uint8], NDArray[
     fate = np.empty(len(faces), np.uint8)
     area = np.empty(len(faces))
     *vector, volume = _sides(surface.points, scale, faces, fate, area)
-    closed = np.linalg.norm(vector) < _CLOSED * area.sum()
+    closed = length(vector) < _CLOSED * area.sum()
     turned = volume < 0.0 if closed else vector[2] < 0.0
     if turned:
         fate = np.array([_BACK_FACING, _DEGENERATE, _KEPT], np.uint8)[fate]

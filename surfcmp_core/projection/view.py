@@ -11,8 +11,8 @@ _EACH_PIXEL = 4.0
 """Bits in front that a pixel of the depth buffer gets on average."""
 _GRAZING = 0.01
 """Cosine between view and normal below which a bit counts as seen in part only."""
-_WHOLE = 8
-"""Power of the share of a connected part that is seen: parts are to be seen whole."""
+_WHOLE = 3
+"""How often the share of a connected part that is seen is squared: parts are to be seen whole."""
 _EDGE_ON = 1e-9
 """Cosine below which a bit is not seen: more than rounding, less than any real slope."""
 
@@ -107,4 +107,7 @@ def seen(
     if not whole:
         return float(by_piece.sum()), shadow
     areas = np.bincount(samples.pieces, samples.areas)
-    return float((by_piece / areas) ** _WHOLE @ areas), shadow
+    share = by_piece / areas
+    for _ in range(_WHOLE):
+        share = share * share
+    return float((share * areas).sum()), shadow

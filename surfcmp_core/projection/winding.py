@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
+from surfcmp_core.linear_algebra import lengths
 from surfcmp_core.projection.border import border_of
 from surfcmp_core.surface import Surface
 
@@ -92,7 +93,7 @@ def wound_alike(surface: Surface) -> Surface:
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     against = np.zeros(len(faces), bool)
     pairs = (np.stack((one, other), axis=1) % len(faces)).astype(np.int32)
-    _wind(pairs, tail[one] == tail[other], np.linalg.norm(across, axis=1), against)
+    _wind(pairs, tail[one] == tail[other], lengths(across), against)
     count = int(np.count_nonzero(against))
     if not count:
         return surface

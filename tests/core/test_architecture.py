@@ -16,7 +16,7 @@ FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 ORDER = (
     {"errors", "progress", "surface", "names", "_cache"},
     {"kernel"},
-    {"predicates", "stack"},
+    {"linear_algebra", "predicates", "stack"},
     {"grid", "io", "thinning"},
     {"triangulation", "projection", "samples"},
     {"alignment", "placement"},
