@@ -13,8 +13,13 @@ def decode(data: bytes) -> str:
     r"""Text of a file with or without a byte-order mark, its lines ended by ``\n``."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         text = data.decode("utf-16", "replace")
+    elif b"\0" in data[:4] and data[:1].isascii():
+        text = data.decode("utf-16-le" if data[1:2] == b"\0" else "utf-16-be", "replace")
     else:
-        text = data.decode("utf-8-sig", "replace")
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = data.decode("cp1252", "replace")
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
@@ -75,6 +80,6 @@ def load(rows: Sequence[str], dtype: DTypeLike, expected: str, **options: Any) -
     raise InputError(f"{expected} in the row {quoted(rows[first])}")
 
 
-def quoted(text: str) -> str:
-    """Quote at most 40 characters on one line."""
-    return repr(text if len(text) <= 40 else text[:37] + "...")
+def quoted(text: str, most: int = 40) -> str:
+    """Quote at most so many characters on one line."""
+    return repr(text if len(text) <= most else text[: most - 3] + "...")
