@@ -9,6 +9,7 @@ from tempfile import TemporaryDirectory
 from PySide6.QtCore import QSettings, QSize, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app.jobs.kept import Kept
 from app.views.studio import Pictures
 from app.window import MainWindow
 
@@ -62,7 +63,7 @@ def screenshot(
         settled.start()
 
     window.start()
-    window.sessions.autosave = Path(folder.name) / "autosave"
+    window.sessions.kept = Kept(Path(folder.name))
     window.display.shown.connect(shown)
     window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
     QTimer.singleShot(1000 * SECONDS, app.quit)

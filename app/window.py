@@ -36,6 +36,7 @@ from app.panels.section import SectionPanel
 from app.panels.toolbar import Toolbar
 from app.theme import UNIT, qt_palette, style_sheet, theme
 from app.views.grid import ViewGrid
+from surfcmp_core.system.children import end_children
 
 if TYPE_CHECKING:
     from app.controllers.alignment import Alignment
@@ -202,12 +203,12 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
-        self.sessions.close()
         for runner in self.runners:
             runner.stop()
         self.ended = self.display.close(CLOSING_SECONDS)
         for runner in self.runners:
             self.ended &= runner.wait(CLOSING_SECONDS if self.ended else 0.0)
+        self.sessions.close()  # when nothing is unpacked any longer
         super().closeEvent(event)
 
 
@@ -234,6 +235,7 @@ def run(paths: list[Path]) -> int:
     if paths or not window.sessions.offer_recovery():
         window.opening.begin(paths)
     status = app.exec()
+    end_children()
     if not window.ended:  # a kernel or a picture cannot be stopped half way; all is saved
         sys.stdout.flush()
         sys.stderr.flush()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 _KEPT = 30 * 24 * 3600.0
 """Seconds for which kernels of other sources are kept."""
-WITHOUT_KERNELS = frozenset({"alignment", "cli", "io", "report"})
+WITHOUT_KERNELS = frozenset({"alignment", "cli", "io", "report", "system"})
 """Parts of the core that hold no kernel, nor anything that one is compiled from."""
 
 

@@ -11,6 +11,9 @@ import threading
 
 import numpy as np
 
+from surfcmp_core.errors import Cancelled
+from surfcmp_core.system.children import child
+
 _PROGRAM = "from surfcmp_core.warming import compile_later_stages; compile_later_stages()"
 
 
@@ -21,10 +24,11 @@ def begin_to_compile() -> None:
 
 
 def _run() -> None:
-    quiet = subprocess.DEVNULL
-    command = [sys.executable, "-c", _PROGRAM]
-    with contextlib.suppress(OSError):  # what is not compiled there is compiled here
-        subprocess.run(command, stdin=quiet, stdout=quiet, stderr=quiet, check=False)
+    with (
+        contextlib.suppress(OSError, Cancelled),  # what is not compiled there is compiled here
+        child(_PROGRAM, pipe=subprocess.DEVNULL) as process,
+    ):
+        process.wait()
 
 
 def compile_later_stages() -> None:

@@ -15,6 +15,7 @@ from app.model.session_file import regions_from, regions_text, write
 from app.model.tool import Tool
 from app.panels.regions import COLOURS
 from surfcmp_core.errors import InputError
+from surfcmp_core.system.whole_files import OutputError
 
 if TYPE_CHECKING:
     from app.window import MainWindow
@@ -91,8 +92,8 @@ class Regions(QObject):
         """Save the regions, completely or not at all."""
         try:
             write(path, regions_text(self.document.regions))
-        except OSError as error:
-            self._window.banner.tell(f"{path.name}: {error.strerror}")
+        except OutputError as error:
+            self._window.banner.tell(str(error))
 
     def load(self, path: Path) -> None:
         """Add the regions of a file."""

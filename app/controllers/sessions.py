@@ -1,6 +1,6 @@
 """Saving and opening sessions; after a crash, the last one is offered."""
 
-import shutil
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,10 +10,12 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from app.jobs.keeping import Fault, Located, Opened, open_session, save_session
+from app.jobs.kept import Kept
 from app.jobs.runner import Runner
 from app.model.session_file import ENDING, Eye, from_text, to_text, write
 from app.scene.camera import Camera
 from surfcmp_core.errors import InputError
+from surfcmp_core.system.whole_files import OutputError
 
 if TYPE_CHECKING:
     from app.window import MainWindow
@@ -27,13 +29,10 @@ SMALL = 64 << 20
 class Sessions(QObject):
     """Keeps what the user does."""
 
-    def __init__(self, window: "MainWindow", autosave: Path | None = None) -> None:
+    def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        folder = user_state_path("surfcmp", appauthor=False)
-        self.autosave = autosave or folder / f"autosave{ENDING}"
-        self._unpacked: set[Path] = set()
-        """Folders with scans out of sessions; they go when the window does."""
+        self.kept = Kept(user_state_path("surfcmp", appauthor=False) / "windows")
         self.saving, self.opening = Runner(), Runner()
         self.saving.finished.connect(self._saved)
         self.opening.finished.connect(self._opened)
@@ -93,19 +92,19 @@ class Sessions(QObject):
     def open(self, path: Path, located: Located | None = None) -> None:
         """Open a session; `located` says where the user found scans that were not in place."""
         self._located = located or {}
-        self.opening.start(partial(open_session, path, self._scans, self._located))
+        with suppress(OSError):  # which is told where scans are to be unpacked
+            self.kept.begin()
+        self.opening.start(partial(open_session, path, self.kept.scans, self._located))
 
     def offer_recovery(self) -> bool:
-        """Offer what was autosaved, if the program ended without saying so; say whether it did."""
-        if not self.autosave.is_file():
-            return False
-        rescued = self.autosave.with_name(f"rescued{ENDING}")
+        """Offer what a window that did not end properly has saved; say whether there is any."""
         try:
-            self.autosave.replace(rescued)
-            saved = from_text(rescued.read_text(encoding="utf-8"), rescued.parent, rescued.name)
+            rescued = self.kept.rescue()
+            if rescued is None:
+                return False
+            from_text(rescued.read_text(encoding="utf-8"), rescued.parent, rescued.name)
         except (OSError, UnicodeDecodeError, InputError):
             return False
-        self._adopt(saved.document.paths)
         self._window.banner.ask(
             self.tr("The last session did not end properly."),
             self.tr("Restore it"),
@@ -114,20 +113,9 @@ class Sessions(QObject):
         return True
 
     def close(self) -> None:
-        """Forget the autosaved session: this one ends properly."""
+        """Forget the session saved last and its scans: this one ends properly."""
         self._later.stop()
-        self.autosave.unlink(missing_ok=True)
-        for folder in self._unpacked:
-            shutil.rmtree(folder, ignore_errors=True)
-
-    @property
-    def _scans(self) -> Path:
-        return self.autosave.parent / "scans"
-
-    def _adopt(self, paths: Paths) -> None:
-        """Take care of those files that were unpacked from a session."""
-        folders = {path.parent for path in paths if path is not None}
-        self._unpacked |= {folder for folder in folders if folder.parent == self._scans}
+        self.kept.close()
 
     def _saved(self, path: Path) -> None:
         self._window.banner.tell(self.tr("Saved {}").format(path), "note")
@@ -140,9 +128,8 @@ class Sessions(QObject):
             text = self.tr("{}: there are no two surfaces in it").format(opened.path.name)
             self._window.banner.tell(text)
             return
-        self._adopt(opened.document.paths)
         self._window.banner.hide()
-        if opened.path.parent != self.autosave.parent:
+        if opened.path.parent != self.kept.folder:
             self._place = (opened.path, opened.document.paths, opened.embedded)
         camera = None
         if opened.camera is not None:
@@ -177,14 +164,13 @@ class Sessions(QObject):
         session = self._window.session
         if not session.document.complete:
             return
-        folder = self.autosave.parent
         try:
-            folder.mkdir(parents=True, exist_ok=True)
+            self.kept.begin()
             state = self._window.display.state
-            here = folder.absolute()
+            here = self.kept.folder.absolute()
             text = to_text(session.document, state, self._hashes(), here, self._eye())
-            write(self.autosave, text)
-        except OSError:
+            write(self.kept.autosave, text)
+        except (OSError, OutputError):
             self._later.stop()  # a full disk must not disturb the work
 
     def _eye(self) -> Eye:

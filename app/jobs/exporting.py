@@ -34,9 +34,10 @@ def export(
         A file cannot be written; none is touched then.
     """
     from surfcmp_core.report.hidden import without_names
-    from surfcmp_core.report.outputs import WRITERS, check_outputs, write_all
+    from surfcmp_core.report.outputs import WRITERS, check_outputs
     from surfcmp_core.report.page import write_html
     from surfcmp_core.report.pictures import write_pdf
+    from surfcmp_core.system.whole_files import write_all
 
     check_outputs(paths, [file for file in result.document.paths if file])
     comparison, record = result.content.comparison, record_of(result, state)

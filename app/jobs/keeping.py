@@ -4,7 +4,6 @@ A session is a text (`app.model.session_file`), or a ZIP archive of that text an
 """
 
 import hashlib
-import os
 import shutil
 import zipfile
 import zlib
@@ -22,6 +21,7 @@ from app.model.session_file import Eye, Saved, Scan, from_text, to_text
 from app.model.view_state import ViewState
 from surfcmp_core.errors import InputError
 from surfcmp_core.progress import Progress
+from surfcmp_core.system.whole_files import write_all
 
 translate = QCoreApplication.translate
 
@@ -81,7 +81,7 @@ def save_session(
     ------
     InputError
         A scan cannot be read, or is no longer the one that was compared.
-    OSError
+    OutputError
         The file cannot be written; it is untouched then.
     """
     found = [
@@ -89,18 +89,14 @@ def save_session(
         for scan, sha in zip(document.paths, hashes, strict=True)
     ]
     text = to_text(document, state, (found[0], found[1]), path.parent.absolute(), camera)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with temporary.open("wb") as stream:
-            if embed:
-                _write_archive(stream, text, document, found, progress)
-            else:
-                stream.write(text.encode())
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+
+    def write(stream: BinaryIO) -> None:
+        if embed:
+            _write_archive(stream, text, document, found, progress)
+        else:
+            stream.write(text.encode())
+
+    write_all({path: write})
     return path
 
 
@@ -122,11 +118,7 @@ def open_session(path: Path, scans: Path, located: Located, progress: Progress) 
                     return _open(path, archive, scans, located, progress)
             return _open(path, None, scans, located, progress)
     except OSError as error:
-        raise InputError(
-            translate("Sessions", "{}: cannot be read ({})").format(
-                path.name, error.strerror or error
-            )
-        ) from error
+        raise _unreadable(path, error) from error
     except DAMAGES as error:
         raise InputError(
             translate("Sessions", "{}: the session is damaged").format(path.name)
@@ -196,12 +188,15 @@ def _write_archive(
             if scan is None:
                 continue
             try:
-                with scan.open("rb") as source, archive.open(_entry(number), "w") as target:
-                    now = _copy(source, target, progress)
+                source = scan.open("rb")
             except FileNotFoundError as error:
                 raise InputError(
                     translate("Sessions", "{}: is not there any longer").format(scan.name)
                 ) from error
+            except OSError as error:
+                raise _unreadable(scan, error) from error
+            with source, archive.open(_entry(number), "w") as target:
+                now = _copy(source, target, progress)
             if now != sha:
                 raise InputError(
                     translate(
@@ -242,9 +237,10 @@ def _sha256(path: Path, progress: Progress) -> str:
                 progress("keep", 0.0)
                 digest.update(piece)
     except OSError as error:
-        raise InputError(
-            translate("Sessions", "{}: cannot be read ({})").format(
-                path.name, error.strerror or error
-            )
-        ) from error
+        raise _unreadable(path, error) from error
     return digest.hexdigest()
+
+
+def _unreadable(path: Path, error: OSError) -> InputError:
+    text = translate("Sessions", "{}: cannot be read ({})")
+    return InputError(text.format(path.name, error.strerror or error))

@@ -4,7 +4,7 @@ import json
 import os
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from app.model.document import Document, Motion
 from app.model.pair import Pair
@@ -12,6 +12,7 @@ from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Place, Scale, ViewState
 from surfcmp_core.comparison import Options
 from surfcmp_core.errors import InputError
+from surfcmp_core.system.whole_files import write_all
 
 KIND = "surfcmp session"
 VERSION = 2
@@ -140,13 +141,18 @@ def regions_from(text: str, name: str) -> tuple[Region, ...]:
 
 
 def write(path: Path, text: str) -> None:
-    """Write a file completely or not at all."""
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        temporary.write_text(text, encoding="utf-8")
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    """Write a file completely or not at all.
+
+    Raises
+    ------
+    OutputError
+        It cannot be written.
+    """
+    write_all({path: lambda stream: _put(text, stream)})
+
+
+def _put(text: str, stream: BinaryIO) -> None:
+    stream.write(text.encode())
 
 
 def _region(data: dict[str, Any]) -> Region:

@@ -33,8 +33,8 @@ from surfcmp_core.report import OutputError, check_outputs
 from surfcmp_core.report.document import Document, now, program
 from surfcmp_core.report.meanings import MEANINGS
 from surfcmp_core.report.numbers import with_unit
-from surfcmp_core.report.outputs import write_all
 from surfcmp_core.surface import Surface
+from surfcmp_core.system.whole_files import write_all
 
 Paths = Annotated[
     list[Path],

@@ -9,9 +9,11 @@ from contextlib import contextmanager
 from types import FrameType
 
 from surfcmp_core.cli.statuses import INTERRUPTED
+from surfcmp_core.system.children import end_children
+from surfcmp_core.system.whole_files import drop_unfinished
 
-PATIENCE = 3
-"""Seconds that what was begun has for ending itself; compiling, say, takes longer."""
+PATIENCE = 0.3
+"""Seconds that what was begun has for ending itself; a kernel, say, takes longer."""
 
 _SHOW_CURSOR = "\x1b[?25h"
 
@@ -20,8 +22,11 @@ _SHOW_CURSOR = "\x1b[?25h"
 def stopping_soon() -> Iterator[None]:
     """Let SIGINT, SIGTERM and SIGHUP unwind the block; end the process where that takes too long.
 
-    The second signal does not wait. Either way no output is left half-written. Signals that are
-    ignored (`nohup`, a script's background) stay so.
+    The second signal does not wait. Either way no output is left half-written and no child at
+    work. Signals that are ignored (`nohup`, a script's background) stay so.
+
+    Python hears a signal only between two of its own instructions, which a kernel is not; so a
+    thread hears them too, from the pipe into which Python's handler in C writes their numbers.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -33,31 +38,49 @@ def stopping_soon() -> Iterator[None]:
         and (handler := signal.getsignal(one)) != signal.SIG_IGN
     }
     told = sys.unraisablehook
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    watching = threading.Thread(target=_watch, args=(reader, {*before}), daemon=True)
 
     def stop(_signal: int, _frame: FrameType | None) -> None:
         sys.unraisablehook = lambda _fault: None  # destructors of what is only half made
         for one in before:
-            signal.signal(one, _abandon)
-        if hasattr(signal, "alarm"):
-            signal.signal(signal.SIGALRM, _abandon)
-            signal.alarm(PATIENCE)
+            signal.signal(one, lambda _signal, _frame: None)  # the thread hears the next
+        end_children()
         raise KeyboardInterrupt
 
+    pipe_before = signal.set_wakeup_fd(writer, warn_on_full_buffer=False)
     try:
+        watching.start()
         for one in before:
             signal.signal(one, stop)
         yield
     finally:
-        if hasattr(signal, "alarm"):
-            signal.alarm(0)
         for one, handler in before.items():
             signal.signal(one, handler)
+        signal.set_wakeup_fd(pipe_before)
+        os.close(writer)
+        watching.join()
+        os.close(reader)
         sys.unraisablehook = told
 
 
-def _abandon(_signal: int, _frame: FrameType | None) -> None:
-    from surfcmp_core.report.outputs import drop_unfinished
+def _watch(reader: int, signals: set[int]) -> None:
+    """Begin to wait at the first of these signals, and do not wait longer at the second."""
+    waiting = threading.Timer(PATIENCE, _abandon)
+    waiting.daemon = True
+    heard = 0
+    while number := os.read(reader, 1):
+        heard += number[0] in signals
+        if heard == 1 and not waiting.is_alive():
+            waiting.start()
+        elif heard > 1:
+            _abandon()
+    waiting.cancel()
 
+
+def _abandon() -> None:
+    end_children()
     drop_unfinished()
     if sys.stderr.isatty():  # where a bar of progress may have hidden it
         os.write(sys.stderr.fileno(), _SHOW_CURSOR.encode())

@@ -37,7 +37,8 @@ def command(
     """Keep some nodes of a surface, for experiments: a cloud."""
     from surfcmp_core.io import read_surface
     from surfcmp_core.io.clouds import CLOUD_WRITERS
-    from surfcmp_core.report.outputs import OutputError, check_outputs, write_all
+    from surfcmp_core.report.outputs import check_outputs
+    from surfcmp_core.system.whole_files import OutputError, write_all
     from surfcmp_core.thinning import thin_random, thin_to_spacing
 
     if (keep is None) == (spacing is None):

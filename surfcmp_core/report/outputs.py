@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import BinaryIO
 
 from surfcmp_core.comparison import Comparison
-from surfcmp_core.errors import SurfcmpError
 from surfcmp_core.names import one_line
 from surfcmp_core.report.data_files import write_csv, write_json, write_npz
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.mesh_files import write_ply, write_vtp
 from surfcmp_core.report.page import write_html
 from surfcmp_core.report.pictures import write_pdf, write_png
+from surfcmp_core.system.whole_files import OutputError, beside, reason, write_all
 
 Writer = Callable[[Comparison, Document, BinaryIO], None]
 
@@ -27,14 +27,6 @@ WRITERS: dict[str, Writer] = {
     ".png": write_png,
 }
 """The formats of results, by the ending of the file's name."""
-
-
-_unfinished: set[Path] = set()
-"""Files that are being written beside their places."""
-
-
-class OutputError(SurfcmpError):
-    """A result cannot be written; the message names the file and the fault."""
 
 
 def check_outputs(
@@ -63,12 +55,12 @@ def check_outputs(
             raise OutputError(f"{name}: is a folder")
         if os.path.exists(target) and not os.access(target, os.W_OK):
             raise OutputError(f"{name}: is read-only")
-        probe = _beside(target, 0)
+        probe = beside(Path(target))
         try:
             probe.open("xb").close()
-            probe.unlink()
+            probe.unlink(missing_ok=True)
         except OSError as fault:
-            raise OutputError(f"{name}: {_reason(fault)}") from fault
+            raise OutputError(f"{name}: {reason(fault)}") from fault
 
 
 def write_outputs(comparison: Comparison, document: Document, paths: Iterable[Path]) -> None:
@@ -89,49 +81,5 @@ def write_outputs(comparison: Comparison, document: Document, paths: Iterable[Pa
     )
 
 
-def write_all(contents: dict[Path, Callable[[BinaryIO], None]]) -> None:
-    """Write files beside their places, then move all there at once.
-
-    Raises
-    ------
-    OutputError
-        A file cannot be written; then none of them has been touched.
-    """
-    staged: list[tuple[Path, str]] = []
-    path = Path()
-    try:
-        for path, write in contents.items():
-            target = os.path.realpath(path)
-            temporary = _beside(target, len(staged))
-            staged.append((temporary, target))
-            _unfinished.add(temporary)
-            with temporary.open("xb") as stream:
-                write(stream)
-        for temporary, target in staged:
-            os.replace(temporary, target)
-    except OSError as fault:
-        raise OutputError(f"{one_line(path)}: {_reason(fault)}") from fault
-    finally:
-        for temporary, _target in staged:
-            temporary.unlink(missing_ok=True)
-            _unfinished.discard(temporary)
-
-
-def drop_unfinished() -> None:
-    """Remove what is being written, where the process ends without unwinding."""
-    for temporary in _unfinished:
-        temporary.unlink(missing_ok=True)
-
-
-def _beside(target: str, number: int) -> Path:
-    return Path(target).parent / f".surfcmp-{os.getpid()}-{number}.part"
-
-
 def _same(one: str, other: str) -> bool:
     return os.path.exists(one) and os.path.exists(other) and os.path.samefile(one, other)
-
-
-def _reason(fault: OSError) -> str:
-    if isinstance(fault, FileNotFoundError | NotADirectoryError):
-        return "its folder does not exist"
-    return f"cannot be written ({fault.strerror or fault})"

@@ -15,7 +15,7 @@ FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
     {"errors", "progress", "surface", "names", "_cache"},
-    {"kernel"},
+    {"kernel", "system"},
     {"linear_algebra", "predicates", "stack"},
     {"grid", "io", "thinning"},
     {"triangulation", "projection", "samples"},

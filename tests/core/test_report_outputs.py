@@ -7,7 +7,7 @@ from typing import BinaryIO
 import pytest
 
 from surfcmp_core.report import WRITERS, OutputError, check_outputs, make_document, write_outputs
-from surfcmp_core.report.outputs import write_all
+from surfcmp_core.system.whole_files import write_all
 
 from .two_squares import two_squares
 

@@ -49,7 +49,7 @@ def test_the_other_process_is_started_and_may_fail(monkeypatch: pytest.MonkeyPat
         begun.set()
         raise OSError
 
-    monkeypatch.setattr(subprocess, "run", refused)
+    monkeypatch.setattr(subprocess, "Popen", refused)
     monkeypatch.setattr("os.cpu_count", lambda: 2)
     warming.begin_to_compile()
     assert begun.wait(10.0)

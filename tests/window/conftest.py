@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
+from app.jobs.kept import Kept
 from app.window import MainWindow
 from tests.window.builders import comparison_of, hills
 
@@ -32,7 +33,7 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     window.resize(1000, 700)
     window.show()
     window.start()
-    window.sessions.autosave = tmp_path / "state" / "autosave.surfcmp"
+    window.sessions.kept = Kept(tmp_path / "state")
     window.activateWindow()
     qtbot.waitActive(window)
     yield window

@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from pytestqt.qtbot import QtBot
 
+from app.jobs.kept import Kept
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 
@@ -53,7 +54,7 @@ def test_fifty_windows_closed_during_a_computation(files: tuple[Path, Path], qtb
         window = MainWindow()
         window.show()
         window.start()
-        window.sessions.autosave = files[0].with_suffix(".surfcmp")
+        window.sessions.kept = Kept(files[0].with_suffix(""))
         window.opening.take(list(files))
         qtbot.wait(moments.choice([0, 1, 5, 20, 60, 150]))
         start = time.monotonic()
