@@ -195,14 +195,15 @@ class Side:
         if domain == "data":
             return self.footprint.area
         t = self.footprint.triangulation if domain == "hull" else united
-        return float(triangle_areas(t.nodes, t.triangles).sum())
+        return float(np.sort(triangle_areas(t.nodes, t.triangles)).sum())
 
     def exact_area(self, domain: Domain, united: United) -> float:
         """Area as `area` has it, but of whole triangles of `linear` where those are not faces."""
         if domain != "data":
             return self.area(domain, united)
         t = self.footprint.triangulation
-        return float(triangle_areas(t.nodes, t.triangles[self.footprint.covered]).sum())
+        areas = triangle_areas(t.nodes, t.triangles[self.footprint.covered])
+        return float(np.sort(areas).sum())
 
     def linear(self, domain: Domain) -> LinearSurface:
         """Give F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""

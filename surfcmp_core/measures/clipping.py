@@ -1,4 +1,10 @@
-"""Convex polygons cut by triangles, and the values of linear functions on them."""
+"""A triangle of T cut along edges of T1 and T2, in shares of that triangle.
+
+A corner of a polygon is held by its shares of the three nodes of the triangle of T (barycentric
+coordinates, shape 3, at least 0, sum 1), and a line by the areas that its two nodes span with each
+of the three. Those areas are right but for their last bits, however thin a triangle is, so a
+polygon's share of the triangle is right even where the coordinates of its corners run together.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,34 +20,38 @@ def _cut(
     polygons: NDArray[np.float64],
     source: int,
     count: int,
-    px: float,
-    py: float,
-    qx: float,
-    qy: float,
-    side: float,
+    at_a: float,
+    at_b: float,
+    at_c: float,
     target: int,
 ) -> int:
-    """Keep what lies left (side 1) or right (-1) of the line pq.
+    """Keep where a linear function, given at the nodes of the triangle, is at least 0.
 
-    Two triangles on the two sides of an edge pass it in the same direction, so that what one of
-    them keeps is what the other drops, rounding included.
+    Two triangles on the two sides of an edge pass the same numbers with opposite signs, so that
+    what one of them keeps is what the other drops, rounding included.
     """
     kept = 0
-    x, y = polygons[source, count - 1, 0], polygons[source, count - 1, 1]
-    at = side * ((qx - px) * (y - py) - (qy - py) * (x - px))
+    a, b, c = (
+        polygons[source, count - 1, 0],
+        polygons[source, count - 1, 1],
+        polygons[source, count - 1, 2],
+    )
+    at = a * at_a + (b * at_b + c * at_c)
     for k in range(count):
-        x_k, y_k = polygons[source, k, 0], polygons[source, k, 1]
-        at_k = side * ((qx - px) * (y_k - py) - (qy - py) * (x_k - px))
+        a_k, b_k, c_k = polygons[source, k, 0], polygons[source, k, 1], polygons[source, k, 2]
+        at_k = a_k * at_a + (b_k * at_b + c_k * at_c)
         if (at > 0.0 and at_k < 0.0) or (at < 0.0 and at_k > 0.0):
             share = at / (at - at_k)
-            polygons[target, kept, 0] = x + share * (x_k - x)
-            polygons[target, kept, 1] = y + share * (y_k - y)
+            polygons[target, kept, 0] = a + share * (a_k - a)
+            polygons[target, kept, 1] = b + share * (b_k - b)
+            polygons[target, kept, 2] = c + share * (c_k - c)
             kept += 1
         if at_k >= 0.0:
-            polygons[target, kept, 0] = x_k
-            polygons[target, kept, 1] = y_k
+            polygons[target, kept, 0] = a_k
+            polygons[target, kept, 1] = b_k
+            polygons[target, kept, 2] = c_k
             kept += 1
-        x, y, at = x_k, y_k, at_k
+        a, b, c, at = a_k, b_k, c_k, at_k
     return kept
 
 
@@ -50,8 +60,7 @@ def cut_by_triangle(
     polygons: NDArray[np.float64],
     source: int,
     count: int,
-    triangle: NDArray[np.float64],
-    numbers: NDArray[np.int32],
+    lines: NDArray[np.float64],
     edges: int,
     spare: int,
     other_spare: int,
@@ -60,16 +69,15 @@ def cut_by_triangle(
 
     Parameters
     ----------
-    polygons : (k, MOST_CORNERS, 2) float64
-        Polygons, counter-clockwise; two of the k are spare and get overwritten.
+    polygons : (k, MOST_CORNERS, 3) float64
+        Polygons, counter-clockwise, in shares; two of the k are spare and get overwritten.
     source, count : int
         Which polygon, and its corners: at least 3.
-    triangle : (3, 2) float64
-        Counter-clockwise, in the same coordinates.
-    numbers : (3,) int32
-        Of its nodes, all different: they say in which direction an edge is passed.
+    lines : (3, 3) float64
+        Of each edge of the cutting triangle the area it spans with each node of the triangle of T,
+        positive on the inside.
     edges : int
-        Bit k: its k-th edge may run through the polygon; others are left out.
+        Bit k: the k-th edge may run through the polygon; others are left out.
     spare, other_spare : int
         The spare polygons.
 
@@ -80,37 +88,44 @@ def cut_by_triangle(
     """
     for k in range(3):
         if edges >> k & 1 and count >= 3:
-            p, q = k, (k + 1) % 3
-            side = 1.0
-            if numbers[p] > numbers[q]:
-                p, q = q, p
-                side = -1.0
-            px, py, qx, qy = triangle[p, 0], triangle[p, 1], triangle[q, 0], triangle[q, 1]
-            count = _cut(polygons, source, count, px, py, qx, qy, side, spare)
+            count = _cut(polygons, source, count, lines[k, 0], lines[k, 1], lines[k, 2], spare)
             source, spare, other_spare = spare, other_spare, spare
     return source, count
 
 
 @kernel
-def value_at(
-    x: float, y: float, triangle: NDArray[np.float64], z: NDArray[np.float64]
-) -> tuple[float, float]:
-    """Value at a place in a triangle of the function that is linear on it.
+def plainest(polygons: NDArray[np.float64], which: int, count: int) -> int:
+    """Choose the node whose shares to leave out of areas: the one that all corners are nearest to.
 
-    Returns
-    -------
-    base, rise : float
-        Value at the first node, and what is to be added: kept apart so that the difference of two
-        surfaces far from 0 keeps its digits. The value lies between the nodes' even where the
-        triangle is so thin that rounding puts the place outside.
+    The other two are small where the polygon is, and keep their digits.
     """
-    ax, ay = triangle[0, 0] - x, triangle[0, 1] - y
-    bx, by = triangle[1, 0] - x, triangle[1, 1] - y
-    cx, cy = triangle[2, 0] - x, triangle[2, 1] - y
-    a = max(bx * cy - by * cx, 0.0)
-    b = max(cx * ay - cy * ax, 0.0)
-    c = max(ax * by - ay * bx, 0.0)
-    whole = a + (b + c)
-    if not whole > 0.0:
-        return z[0], 0.0
-    return z[0], (b * (z[1] - z[0]) + c * (z[2] - z[0])) / whole
+    best = 0
+    largest = -1.0
+    for node in range(3):
+        least = polygons[which, 0, node]
+        for k in range(1, count):
+            least = min(least, polygons[which, k, node])
+        if least > largest:
+            best = node
+            largest = least
+    return best
+
+
+@kernel
+def fan_share(polygons: NDArray[np.float64], which: int, k: int, without: int) -> float:
+    """Share of the triangle of T that the corners 0, k - 1 and k of a polygon span.
+
+    Parameters
+    ----------
+    polygons, which
+        The polygon.
+    k : int
+        From 2 on.
+    without : int
+        The node that `plainest` chose.
+    """
+    i, j = (without + 1) % 3, (without + 2) % 3
+    pi, pj = polygons[which, 0, i], polygons[which, 0, j]
+    ui, uj = polygons[which, k - 1, i] - pi, polygons[which, k - 1, j] - pj
+    vi, vj = polygons[which, k, i] - pi, polygons[which, k, j] - pj
+    return float(ui * vj - vi * uj)

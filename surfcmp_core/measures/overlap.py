@@ -166,7 +166,7 @@ def overlapped(
     c: int,
     found_triangles: NDArray[np.int32],
     found_edges: NDArray[np.int32],
-) -> int:
+) -> tuple[int, bool]:
     """List the triangles of T1 whose interior meets that of a triangle of T.
 
     Parameters
@@ -190,8 +190,10 @@ def overlapped(
 
     Returns
     -------
-    int
+    count : int
         How many were found.
+    inside : bool
+        Whether they cover the triangle of T: no edge of the hull runs through it.
     """
     if own[a] < 0:  # bring a node of T1 to a, where there is one
         if own[b] >= 0:
@@ -214,7 +216,8 @@ def overlapped(
         ghosts = (found[a], found[b], found[c])
         seed = _seed_on_hull(nodes, start, twin, real, ghosts, ax, ay, bx, by, cx, cy)
     if seed < 0:
-        return 0
+        return 0, False
+    inside = True
     found_triangles[0] = seed
     found_edges[0] = 0
     count = 1
@@ -229,9 +232,66 @@ def overlapped(
             ):
                 found_edges[visited] |= 1 << k
                 beyond = twin[h]
-                if beyond // 3 < real and count < found_triangles.size:
+                if beyond // 3 >= real:
+                    inside = False
+                elif count < found_triangles.size:
                     found_triangles[count] = beyond // 3
                     found_edges[count] = 1 << (beyond % 3)
                     count += 1
         visited += 1
-    return count
+    return count, inside
+
+
+@kernel
+def sort_found(
+    start: NDArray[np.int32],
+    found_triangles: NDArray[np.int32],
+    found_edges: NDArray[np.int32],
+    count: int,
+) -> None:
+    """Sort what `overlapped` found by the triangles' nodes, whatever their own numbers are."""
+    gap = 1
+    while 3 * gap + 1 < count:
+        gap = 3 * gap + 1
+    while gap > 0:  # Shell's sort; most often two or three are to be sorted
+        for i in range(gap, count):
+            t, edges = found_triangles[i], found_edges[i]
+            low, onward = lowest_edge(start, t)
+            j = i
+            while j >= gap:
+                other_low, other_onward = lowest_edge(start, found_triangles[j - gap])
+                if other_low < low or (other_low == low and other_onward < onward):
+                    break
+                found_triangles[j] = found_triangles[j - gap]
+                found_edges[j] = found_edges[j - gap]
+                j -= gap
+            found_triangles[j] = t
+            found_edges[j] = edges
+        gap //= 3
+
+
+@kernel
+def lowest_edge(start: NDArray[np.int32], t: int) -> tuple[int, int]:
+    """Lowest node of a triangle and the next one: no other triangle has the same two."""
+    a, b, c = start[3 * t], start[3 * t + 1], start[3 * t + 2]
+    if a < b and a < c:
+        return a, b
+    if b < c:
+        return b, c
+    return c, a
+
+
+@kernel
+def _fill_lowest_edges(
+    start: NDArray[np.int32], triangles: NDArray[np.int64], codes: NDArray[np.int64]
+) -> None:
+    for i in range(triangles.size):
+        low, onward = lowest_edge(start, triangles[i])
+        codes[i] = (np.int64(low) << 32) + onward
+
+
+def lowest_edges(start: NDArray[np.int32], triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Give each of some triangles one number made of its nodes'."""
+    codes = np.empty(len(triangles), np.int64)
+    _fill_lowest_edges(start, triangles, codes)
+    return codes

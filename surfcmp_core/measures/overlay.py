@@ -1,18 +1,26 @@
 """The exact reading: F̂1 linear on T1, F̂2 on T2, integrated over the pieces of their overlay."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
 from surfcmp_core.measures.chunks import over_chunks
-from surfcmp_core.measures.clipping import MOST_CORNERS, cut_by_triangle, value_at
+from surfcmp_core.measures.clipping import MOST_CORNERS, cut_by_triangle, fan_share, plainest
+from surfcmp_core.measures.linear_on_triangle import FRAME, moved_into, value_at
 from surfcmp_core.measures.measures import Measures
-from surfcmp_core.measures.overlap import overlapped
+from surfcmp_core.measures.overlay_side import (
+    LinearSurface,
+    OverlaySide,
+    frame_of,
+    lines_of,
+    overlapped_with_data,
+    precedes,
+    side_of,
+)
 from surfcmp_core.measures.totals import (
+    AREA,
     Part,
     TriangleValues,
     add_piece,
@@ -23,8 +31,7 @@ from surfcmp_core.measures.totals import (
     zero_sums,
 )
 from surfcmp_core.measures.triangle_integrals import mean_abs_weighted, ordered
-from surfcmp_core.triangulation import Triangulation
-from surfcmp_core.triangulation.half_edges import leaving_edges
+from surfcmp_core.predicates import twice_area
 from surfcmp_core.united import United
 
 _BOTH = 3
@@ -32,112 +39,42 @@ _SLIVER = 1e-13
 """Share of a triangle's area that may be the rounding of two edges that only touch."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class LinearSurface:
-    """One surface as a linear function on each triangle of its own triangulation.
-
-    Attributes
-    ----------
-    triangulation : Triangulation
-        T1 or T2, n nodes and m real triangles.
-    z : (n,) float64
-        F at its nodes.
-    valid : (m,) bool
-        Triangles over which the surface has data.
-    found : (n',) int32
-        Its triangle or ghost in which each node of the other grid lies.
-    """
-
-    triangulation: Triangulation
-    z: NDArray[np.float64]
-    valid: NDArray[np.bool_]
-    found: NDArray[np.int32]
-
-
-class _Side(NamedTuple):
-    """A `LinearSurface` in the numbers of T, for the kernel."""
-
-    nodes: NDArray[np.float64]
-    start: NDArray[np.int32]
-    twin: NDArray[np.int32]
-    real: int
-    leaving: NDArray[np.int32]
-    own: NDArray[np.int32]
-    found: NDArray[np.int32]
-    z: NDArray[np.float64]
-    valid: NDArray[np.bool_]
-
-
-def _side(
-    surface: LinearSurface,
-    count: int,
-    own_nodes: NDArray[np.int32],
-    other_nodes: NDArray[np.int32],
-) -> _Side:
-    t = surface.triangulation
-    own = np.full(count, -1, np.int32)
-    own[own_nodes] = np.arange(len(own_nodes), dtype=np.int32)
-    found = np.full(count, -1, np.int32)
-    found[other_nodes] = surface.found
-    leaving = leaving_edges(t.start, len(t.nodes))
-    return _Side(
-        t.nodes,
-        t.start,
-        t.twin,
-        t.real,
-        leaving,
-        own,
-        found,
-        surface.z,
-        surface.valid,
-    )
-
-
 @kernel
-def _fetch(
-    side: _Side,
-    t: int,
-    x: float,
-    y: float,
-    length: float,
-    corners: NDArray[np.float64],
-    z: NDArray[np.float64],
-    numbers: NDArray[np.int32],
+def _from_leftmost(
+    nodes: NDArray[np.float64], triangles: NDArray[np.int32], t: int, corners: NDArray[np.int32]
 ) -> None:
-    """Read triangle t of T1 or T2, its corners as seen from (x, y)."""
+    """Begin a triangle of T with its leftmost node, the lower one of two."""
+    first = 0
+    for k in range(1, 3):
+        v, best = triangles[t, k], triangles[t, first]
+        if nodes[v, 0] < nodes[best, 0] or (
+            nodes[v, 0] == nodes[best, 0] and nodes[v, 1] < nodes[best, 1]
+        ):
+            first = k
     for k in range(3):
-        v = side.start[3 * t + k]
-        numbers[k] = v
-        corners[k, 0] = (side.nodes[v, 0] - x) * length
-        corners[k, 1] = (side.nodes[v, 1] - y) * length
-        z[k] = side.z[v]
+        corners[k] = triangles[t, (first + k) % 3]
 
 
 @kernel
-def _overlapped(
-    side: _Side,
-    nodes: NDArray[np.float64],
-    a: int,
-    b: int,
-    c: int,
-    found_triangles: NDArray[np.int32],
-    found_edges: NDArray[np.int32],
-) -> int:
-    return overlapped(
-        side.nodes,
-        side.start,
-        side.twin,
-        side.real,
-        side.leaving,
-        side.own,
-        side.found,
-        nodes,
-        a,
-        b,
-        c,
-        found_triangles,
-        found_edges,
-    )
+def _differences(
+    polygons: NDArray[np.float64],
+    piece: int,
+    count: int,
+    shape: NDArray[np.float64],
+    frame_1: NDArray[np.float64],
+    frame_2: NDArray[np.float64],
+    unit: float,
+    d: NDArray[np.float64],
+) -> None:
+    """Fill in d at the corners of a piece."""
+    for k in range(count):
+        b, c = polygons[piece, k, 1], polygons[piece, k, 2]
+        x = b * shape[0, 0] + c * shape[1, 0]
+        y = b * shape[0, 1] + c * shape[1, 1]
+        x, y = moved_into(x, y, frame_1, frame_2)
+        base_1, rise_1 = value_at(x, y, frame_1)
+        base_2, rise_2 = value_at(x, y, frame_2)
+        d[k] = ((base_1 - base_2) + (rise_1 - rise_2)) / unit
 
 
 @kernel
@@ -147,8 +84,8 @@ def _pass(
     nodes: NDArray[np.float64],
     label: NDArray[np.uint8],
     triangles: NDArray[np.int32],
-    side_1: _Side,
-    side_2: _Side,
+    side_1: OverlaySide,
+    side_2: OverlaySide,
     length: float,
     tolerances: NDArray[np.float64],
     node_weight: NDArray[np.float64],
@@ -160,97 +97,99 @@ def _pass(
 ) -> float:
     """Fill in values and sums of triangles begin..end-1 of T; return the largest |d| there.
 
-    Nodes are in units of `length`, sums in units of `unit`.
+    Nodes are in units of `length`, sums in units of `unit`; a negative one exchanges the signs.
     """
     triangles_1 = np.empty(side_1.real, np.int32)
     triangles_2 = np.empty(side_2.real, np.int32)
     edges_1 = np.empty(side_1.real, np.int32)
     edges_2 = np.empty(side_2.real, np.int32)
-    corners = np.empty((3, 2))
-    corners_1 = np.empty((3, 2))
-    corners_2 = np.empty((3, 2))
+    corners = np.empty(3, np.int32)
+    shape = np.empty((2, 2))
+    lines = np.empty((3, 3))
+    frame_1 = np.empty(FRAME)
+    frame_2 = np.empty(FRAME)
     weights = np.ones(3)
-    z_1 = np.empty(3)
-    z_2 = np.empty(3)
-    numbers_1 = np.empty(3, np.int32)
-    numbers_2 = np.empty(3, np.int32)
-    polygons = np.empty((5, MOST_CORNERS, 2))
+    polygons = np.zeros((5, MOST_CORNERS, 3))
+    for k in range(3):
+        polygons[0, k, k] = 1.0
     d = np.empty(MOST_CORNERS)
     weight = np.ones(MOST_CORNERS)
     triangle_sums = np.zeros(len(sums))
     largest = 0.0
     for t in range(begin, end):
-        area = 0.0
         largest_here = 0.0
+        share = 0.0
         volume = 0.0
         signed_volume = 0.0
         weighted_volume = 0.0
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        _from_leftmost(nodes, triangles, t, corners)
+        a, b, c = corners[0], corners[1], corners[2]
         x, y = nodes[a, 0], nodes[a, 1]
-        for k in range(3):
-            v = triangles[t, k]
-            corners[k, 0] = (nodes[v, 0] - x) * length
-            corners[k, 1] = (nodes[v, 1] - y) * length
-            polygons[0, k, 0] = corners[k, 0]
-            polygons[0, k, 1] = corners[k, 1]
-            if len(node_weight):
-                weights[k] = node_weight[v]
-        count_1 = _overlapped(side_1, nodes, a, b, c, triangles_1, edges_1)
-        count_2 = 0
+        shape[0, 0] = (nodes[b, 0] - x) * length
+        shape[0, 1] = (nodes[b, 1] - y) * length
+        shape[1, 0] = (nodes[c, 0] - x) * length
+        shape[1, 1] = (nodes[c, 1] - y) * length
+        whole = (
+            0.5
+            * length
+            * length
+            * twice_area(x, y, nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1])
+        )
+        if len(node_weight):
+            for k in range(3):
+                weights[k] = node_weight[corners[k]]
+        count_1, covers_1 = overlapped_with_data(side_1, nodes, corners, triangles_1, edges_1)
+        count_2, covers_2 = 0, False
         if count_1 > 0:
-            count_2 = _overlapped(side_2, nodes, a, b, c, triangles_2, edges_2)
+            count_2, covers_2 = overlapped_with_data(side_2, nodes, corners, triangles_2, edges_2)
         for i in range(count_1):
-            t_1 = triangles_1[i]
-            if not side_1.valid[t_1]:
-                continue
-            _fetch(side_1, t_1, x, y, length, corners_1, z_1, numbers_1)
-            part, in_part = cut_by_triangle(polygons, 0, 3, corners_1, numbers_1, edges_1[i], 1, 2)
+            lines_of(side_1, triangles_1[i], edges_1[i], nodes, corners, lines)
+            part, in_part = cut_by_triangle(polygons, 0, 3, lines, edges_1[i], 1, 2)
             if in_part < 3:
                 continue
+            frame_of(side_1, triangles_1[i], x, y, length, frame_1)
             for j in range(count_2):
-                t_2 = triangles_2[j]
-                if not side_2.valid[t_2]:
+                lines_of(side_2, triangles_2[j], edges_2[j], nodes, corners, lines)
+                piece, in_piece = cut_by_triangle(polygons, part, in_part, lines, edges_2[j], 3, 4)
+                if in_piece < 3:
                     continue
-                _fetch(side_2, t_2, x, y, length, corners_2, z_2, numbers_2)
-                piece, in_piece = cut_by_triangle(
-                    polygons, part, in_part, corners_2, numbers_2, edges_2[j], 3, 4
-                )
-                for k in range(in_piece):
-                    px, py = polygons[piece, k, 0], polygons[piece, k, 1]
-                    base_1, rise_1 = value_at(px, py, corners_1, z_1)
-                    base_2, rise_2 = value_at(px, py, corners_2, z_2)
-                    d[k] = ((base_1 - base_2) + (rise_1 - rise_2)) / unit
-                    if len(node_weight):
-                        base, rise = value_at(px, py, corners, weights)
-                        weight[k] = base + rise
-                px, py = polygons[piece, 0, 0], polygons[piece, 0, 1]
+                frame_of(side_2, triangles_2[j], x, y, length, frame_2)
+                _differences(polygons, piece, in_piece, shape, frame_1, frame_2, unit, d)
+                if len(node_weight):
+                    for k in range(in_piece):
+                        weight[k] = weights[0] + (
+                            polygons[piece, k, 1] * (weights[1] - weights[0])
+                            + polygons[piece, k, 2] * (weights[2] - weights[0])
+                        )
+                without = plainest(polygons, piece, in_piece)
                 for k in range(2, in_piece):
-                    ux, uy = polygons[piece, k - 1, 0] - px, polygons[piece, k - 1, 1] - py
-                    vx, vy = polygons[piece, k, 0] - px, polygons[piece, k, 1] - py
-                    fan_area = 0.5 * (ux * vy - vx * uy)
-                    if not fan_area > 0.0:
+                    fan = fan_share(polygons, piece, k, without)
+                    if not fan > 0.0:
                         continue
                     lo, mid, hi = ordered(d[0], d[k - 1], d[k])
                     largest_here = max(largest_here, -lo, hi)
-                    absolute, signed = add_piece(triangle_sums, fan_area, lo, mid, hi, tolerances)
-                    area += fan_area
-                    volume += fan_area * absolute
-                    signed_volume += fan_area * signed
+                    absolute, signed = add_piece(
+                        triangle_sums, fan * whole, lo, mid, hi, tolerances
+                    )
+                    share += fan
+                    volume += fan * absolute
+                    signed_volume += fan * signed
                     if len(node_weight):
-                        weighted_volume += fan_area * mean_abs_weighted(
+                        weighted_volume += fan * mean_abs_weighted(
                             d[0], d[k - 1], d[k], weight[0], weight[k - 1], weight[k]
                         )
-        ux, uy, vx, vy = corners[1, 0], corners[1, 1], corners[2, 0], corners[2, 1]
-        whole = max(area, 0.5 * (ux * vy - vx * uy))
-        if area > _SLIVER * whole:
+        if share > _SLIVER:
             largest = max(largest, largest_here)
             if not len(node_weight):
                 weighted_volume = volume
             interface = label[a] | label[b] | label[c] == _BOTH
-            add_triangle(sums, triangle_sums, interface, volume / whole, weighted_volume / whole)
-            areas[t] = area
-            means_abs[t] = volume / area * unit
-            means_signed[t] = signed_volume / area * unit
+            areas[t] = share * whole
+            if covers_1 and covers_2:
+                areas[t] = whole
+                triangle_sums[AREA] = whole
+            add_triangle(sums, triangle_sums, interface, volume, weighted_volume)
+            means_abs[t] = volume / share * abs(unit)
+            means_signed[t] = signed_volume / share * abs(unit)
         else:
             triangle_sums[:] = 0.0
             areas[t] = np.nan
@@ -314,8 +253,11 @@ def measure_exactly(
         Where a tolerance is negative or NaN.
     """
     refuse_senseless(tolerances)
-    side_1 = _side(surface_1, len(united.nodes), united.node_1, united.node_2)
-    side_2 = _side(surface_2, len(united.nodes), united.node_2, united.node_1)
+    first = side_of(surface_1, len(united.nodes), united.node_1, united.node_2)
+    second = side_of(surface_2, len(united.nodes), united.node_2, united.node_1)
+    exchanged = precedes(surface_2, surface_1)  # so that rounding does not know the roles
+    if exchanged:
+        first, second = second, first
     z_1, z_2 = surface_1.z, surface_2.z
     unit = power_of_two_above(
         max(float(z_1.max()) - float(z_2.min()), float(z_2.max()) - float(z_1.min()))
@@ -331,12 +273,12 @@ def measure_exactly(
             united.nodes,
             united.label,
             united.triangles,
-            side_1,
-            side_2,
+            first,
+            second,
             length,
             np.array(tolerances, dtype=np.float64) / unit,
             np.empty(0) if node_weight is None else node_weight,
-            unit,
+            -unit if exchanged else unit,
             values.area,
             values.mean_abs,
             values.mean_signed,

@@ -14,7 +14,8 @@ from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.percentiles import area_percentiles
 from surfcmp_core.measures.triangle_integrals import mean, mean_parts, mean_square, share_within
 
-_AREA = 0
+AREA = 0
+"""Place of a triangle's area among its sums."""
 _AREA_INTERFACE = 1
 _VOLUME = 2
 _VOLUME_INTERFACE = 3
@@ -90,7 +91,7 @@ def add_piece(
     signed = mean(lo, mid, hi)
     above, below = mean_parts(lo, mid, hi)
     absolute = above + below
-    triangle_sums[_AREA] += area
+    triangle_sums[AREA] += area
     triangle_sums[_VOLUME] += area * absolute
     triangle_sums[_VOLUME_SIGNED] += area * signed
     triangle_sums[_VOLUME_ABOVE] += area * above
@@ -123,7 +124,7 @@ def add_triangle(
     triangle_sums[_RHO] = absolute
     triangle_sums[_RHO_WEIGHTED] = weighted
     if interface:
-        triangle_sums[_AREA_INTERFACE] = triangle_sums[_AREA]
+        triangle_sums[_AREA_INTERFACE] = triangle_sums[AREA]
         triangle_sums[_VOLUME_INTERFACE] = triangle_sums[_VOLUME]
         triangle_sums[_RHO_INTERFACE] = absolute
     for n in range(triangle_sums.size):
@@ -166,7 +167,7 @@ def measures_from(
     terms = np.concatenate([zero_sums(tolerances), *(part.sums for part in parts)], axis=1)
     total = [math.fsum(row) for row in terms.tolist()]
     largest = max((part.largest for part in parts), default=0.0)
-    area, area_interface = total[_AREA], total[_AREA_INTERFACE]
+    area, area_interface = total[AREA], total[_AREA_INTERFACE]
     compared = ~np.isnan(values.area)
     if compared.all():
         p50, p90, p95 = area_percentiles(values.mean_abs, values.area, (50, 90, 95))
