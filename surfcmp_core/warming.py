@@ -8,13 +8,17 @@ import os
 import subprocess
 import sys
 import threading
+from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
+import surfcmp_core.kernel  # noqa: F401 - says where the cache is
 from surfcmp_core.errors import Cancelled
 from surfcmp_core.system.children import child
+from surfcmp_core.system.lock import make_held, take_over
 
-_PROGRAM = "from surfcmp_core.warming import compile_later_stages; compile_later_stages()"
+_PROGRAM = "from surfcmp_core.warming import compile_once; compile_once()"
 
 
 def begin_to_compile() -> None:
@@ -29,6 +33,20 @@ def _run() -> None:
         child(_PROGRAM, pipe=subprocess.DEVNULL) as process,
     ):
         process.wait()
+
+
+def compile_once() -> None:
+    """Compile the later stages, unless some other process is at it for the same cache."""
+    held = _held(Path(os.environ["NUMBA_CACHE_DIR"]) / "compiling")
+    if held is not None:
+        with held:
+            compile_later_stages()
+
+
+def _held(path: Path) -> BinaryIO | None:
+    with contextlib.suppress(OSError):
+        return take_over(path) if path.exists() else make_held(path)
+    return None
 
 
 def compile_later_stages() -> None:

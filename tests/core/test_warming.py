@@ -4,10 +4,12 @@ import json
 import subprocess
 import sys
 import threading
+from pathlib import Path
 
 import pytest
 
 from surfcmp_core import warming
+from surfcmp_core.system.lock import make_held
 
 _SIGNATURES = """
 import gc, json
@@ -53,3 +55,20 @@ def test_the_other_process_is_started_and_may_fail(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("os.cpu_count", lambda: 2)
     warming.begin_to_compile()
     assert begun.wait(10.0)
+
+
+def test_one_process_at_a_time_compiles_for_a_cache(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    done: list[int] = []
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(warming, "compile_later_stages", lambda: done.append(len(done)))
+    with make_held(tmp_path / "compiling"):
+        warming.compile_once()
+        assert done == []
+    warming.compile_once()  # the file that a dead process left is in nobody's way
+    warming.compile_once()
+    assert done == [0, 1]
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "nowhere"))
+    warming.compile_once()
+    assert done == [0, 1]
