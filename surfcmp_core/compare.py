@@ -21,6 +21,7 @@ from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
+from surfcmp_core.together import bring_together, carried
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
 from surfcmp_core.warming import begin_to_compile
@@ -78,7 +79,6 @@ def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
         for surface in (first, second)
         for note in (
             *(f"{count} {what}" for what, count in surface.changed.items()),
-            *(["the file states no unit; mm is assumed"] if surface.unit is None else []),
             *_folding(surface),
         )
     ]
@@ -106,17 +106,19 @@ def compare(
     Parameters
     ----------
     surface_1, surface_2 : Surface
-        n1 and n2 nodes, in one unit of length.
+        n1 and n2 nodes; brought to one unit and the same axes by
+        :func:`surfcmp_core.together.bring_together`. Where a unit or axes are missing, or one
+        surface is converted, the result's warnings say so.
     domain : {"data", "hull", "plane"}
         Compare where both surfaces have data, inside both convex hulls, or over all of T with
         either surface continued by the nearest value of its hull.
     max_edge : float, optional
-        Longest edge over which a cloud has data; derived from its spacing where not given, inf for
-        no limit.
+        Longest edge over which a cloud has data, in the unit of the comparison; derived from its
+        spacing where not given, inf for no limit.
     exact : bool
         Also integrate exactly over the overlay of T1 and T2, within both hulls.
     tolerances : sequence of float
-        Lengths for which to give the share of the area within.
+        Lengths, in the unit of the comparison, for which to give the share of the area within.
     weight : callable, optional
         µ(x, y) ≥ 0, sampled at the nodes of T.
     duplicates : {"refuse", "mean", "max", "min"}
@@ -124,9 +126,9 @@ def compare(
     threads : int
         How many may work at once.
     align : (4, 4) float64, optional
-        Motion of surface 2 onto surface 1, before `frame`.
+        Motion of surface 2 onto surface 1, before `frame`; in the unit and axes of surface 1.
     frame : (4, 4) float64, optional
-        Motion of both surfaces into the plane of comparison, z along the view.
+        Motion of both surfaces into the plane of comparison, z along the view; in the same.
     progress : callable
         Told the stage and the share done; may raise `Cancelled`.
     read_seconds : float
@@ -149,8 +151,12 @@ def compare(
     """
     progress = _explained(progress)
     clock = Clock(progress, read_seconds)
-    view = np.eye(4) if frame is None else np.asarray(frame, np.float64)
-    motion = view if align is None else composed(view, align)
+    together = bring_together(surface_1, surface_2)
+    first = together.surfaces[0]
+    change = first.scale / surface_1.scale, first.turned != surface_1.turned
+    surface_1, surface_2 = together.surfaces
+    view = np.eye(4) if frame is None else carried(frame, *change)
+    motion = view if align is None else composed(view, carried(align, *change))
 
     with clock.stage("triangulate", 0.0):
         placed = _placed(surface_1, view), _placed(surface_2, motion)
@@ -288,5 +294,5 @@ def compare(
         None if exact_values is None else exact_values.mean_signed,
         view,
         clock.seconds(),
-        _warnings(*placed),
+        (*together.warnings, *_warnings(*placed)),
     )

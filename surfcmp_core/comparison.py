@@ -21,7 +21,7 @@ Weight = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """Everything that changes the numbers; lengths in the input's unit."""
+    """Everything that changes the numbers; lengths in the unit of the comparison."""
 
     domain: Domain = "data"
     max_edge: float | None = None
@@ -40,6 +40,7 @@ class Comparison:
     """
 
     surfaces: tuple[Surface, Surface]
+    """As they were read, but in one unit and the same axes."""
     grids: tuple[Grid, Grid]
     triangulations: tuple[Triangulation, Triangulation]
     united: United
@@ -60,8 +61,8 @@ class Comparison:
     measures: Measures
     options: Options
     transform: NDArray[np.float64]
-    """(4, 4) the motion of surface 2 from its file's coordinates into the comparison's: first the
-    alignment, then `frame`."""
+    """(4, 4) the motion of surface 2 from the coordinates in `surfaces` into the comparison's:
+    first the alignment, then `frame`."""
     max_edges: tuple[float, float]
     """The `max_edge` used for each surface; inf for meshes and where there is no limit."""
     mean_abs_exact: NDArray[np.float64] | None = None

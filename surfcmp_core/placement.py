@@ -16,6 +16,7 @@ from surfcmp_core.projection import (
     wound_alike,
 )
 from surfcmp_core.surface import Surface
+from surfcmp_core.together import check_together
 
 View = Literal["auto"] | tuple[float, float, float]
 """The direction towards the viewer; "auto": the one that shows most of both surfaces."""
@@ -117,8 +118,9 @@ def place(
     Raises
     ------
     InputError
-        A surface shows nothing in this view, or no view can be found.
+        Unlike units or axes; a surface shows nothing in this view, or no view can be found.
     """
+    check_together(surface_1, surface_2)
     surface_1, surface_2 = wound_alike(surface_1), wound_alike(surface_2)
     second = surface_2 if align is None else moved(surface_2, align)
     turn = frame(viewing_direction(surface_1, second) if view == "auto" else view)

@@ -1,6 +1,7 @@
 """A surface as it was read: nodes in space, its own triangles, and where it came from."""
 
 from dataclasses import dataclass, field
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,16 @@ class Surface:
     sha256 : str
         Of the file's bytes, lower-case hexadecimal; empty for arrays.
     unit : str or None
-        Length unit of the coordinates as the file states it; None where it does not say.
+        Length unit of `points`; None where the file does not say.
+    scale : Fraction
+        How many `unit` one unit of the file's own coordinates is.
+    space : {"RAS", "LPS"} or None
+        Which axes `points` has, as medical programs state it: x to the right, y to the front, z
+        up, or x to the left, y to the back, z up; None where the file does not say.
+    turned : bool
+        Whether x and y have another sign than in the file.
+    georeferenced : bool
+        Whether `unit` is that of a geodetic reference system, which the file names.
     dropped : dict of str to int
         Nodes left out so far, counted by reason.
     changed : dict of str to int
@@ -38,6 +48,10 @@ class Surface:
     path: Path | None = None
     sha256: str = ""
     unit: str | None = None
+    scale: Fraction = Fraction(1)
+    space: str | None = None
+    turned: bool = False
+    georeferenced: bool = False
     dropped: dict[str, int] = field(default_factory=dict)
     changed: dict[str, int] = field(default_factory=dict)
 
@@ -45,3 +59,9 @@ class Surface:
     def kind(self) -> str:
         """``"mesh"`` or ``"cloud"``."""
         return "cloud" if self.faces is None else "mesh"
+
+    @property
+    def from_file(self) -> NDArray[np.float64]:
+        """(4, 4) what leads from the file's own coordinates to `points`."""
+        scale, sign = float(self.scale), -1.0 if self.turned else 1.0
+        return np.diag([sign * scale, sign * scale, scale, 1.0])

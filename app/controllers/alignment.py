@@ -17,6 +17,7 @@ from app.model.tool import Tool
 from surfcmp_core.errors import InputError
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.progress import Progress
+from surfcmp_core.together import carried
 
 if TYPE_CHECKING:
     from app.window import MainWindow
@@ -92,13 +93,16 @@ class Alignment(QObject):
         """Move surface 2 so that its landmarks come nearest to those of 1."""
         from surfcmp_core.alignment import fit_landmarks
 
+        shown = self._window.session.shown
         whole = [(pair.one, pair.two) for pair in self.pairs if pair.one and pair.two]
         try:
             found = fit_landmarks([one for one, _ in whole], [two for _, two in whole])
         except InputError as error:
             self._window.banner.tell(str(error))
             return
-        self._move(Motion(_matrix(found.matrix), "landmarks", found.residual, found.inliers))
+        scale = 1.0 if shown is None else float(shown.comparison.surfaces[0].scale)
+        residual = found.residual * scale  # landmarks are where file 1 counts them
+        self._move(Motion(_matrix(found.matrix), "landmarks", residual, found.inliers))
         self._window.display.use(Tool.LOOK)
 
     def best_fit(self, on_region: bool) -> None:
@@ -163,8 +167,11 @@ class Alignment(QObject):
 
 
 def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the motions from the files' coordinates of 1 and of 2 to the comparison's."""
-    two = shown.comparison.transform
+    """Return what leads from the places of 1 and of 2, as file 1 counts, to the comparison's.
+
+    As file 1 counts: in its unit and axes, as motions are.
+    """
+    two = shown.comparison.transform @ shown.comparison.surfaces[0].from_file
     one = two @ np.linalg.inv(np.array(shown.document.motion.matrix))
     return one, two
 
@@ -173,15 +180,17 @@ def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion
     from surfcmp_core.alignment import best_fit
 
     surfaces = shown.comparison.surfaces
+    first = surfaces[0]
     masks: list[NDArray[np.bool_] | None] = [None, None]
     if number is not None:
         region = shown.document.regions[number]
-        for k, motion in enumerate(_to_comparison(shown)):
+        for k, to_comparison in enumerate(_to_comparison(shown)):
+            motion = to_comparison @ np.linalg.inv(first.from_file)
             points = surfaces[k].points @ motion[:3, :3].T + motion[:3, 3]
             masks[k] = region_mask(points[:, 0], points[:, 1], region)
     found = best_fit(
         *surfaces,
-        start=np.array(shown.document.motion.matrix),
+        start=carried(np.array(shown.document.motion.matrix), first.scale, first.turned),
         region_1=masks[0],
         region_2=masks[1],
         progress=progress,
@@ -192,7 +201,8 @@ def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion
         "icp region": "best fit (ICP) on a region",
     }
     method = names.get(found.method, found.method)
-    return Motion(_matrix(found.matrix), method, found.residual, found.inliers)
+    matrix = carried(found.matrix, 1 / first.scale, first.turned)
+    return Motion(_matrix(matrix), method, found.residual, found.inliers)
 
 
 def _matrix(array: NDArray[np.float64]) -> Matrix:

@@ -65,7 +65,7 @@ class Showing(QObject):
         shown = self._window.session.shown
         if shown is None:
             return ""
-        return shown.document.unit or unit_of(shown.comparison)
+        return unit_of(shown.comparison)
 
     def _session_changed(self) -> None:
         window, session = self._window, self._window.session

@@ -1,4 +1,4 @@
-"""The document: everything that decides the numbers, and the unit they are told in."""
+"""The document: everything that decides the numbers, and the unit of the files."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -25,11 +25,11 @@ class Motion:
     Attributes
     ----------
     matrix : 4 x 4 floats
-        In the files' coordinates.
+        In the unit and axes of surface 1's file.
     method : str
         In words, for reports.
     residual : float or None
-        Root mean square distance that was left, in the input's unit; None where unknown.
+        Root mean square distance that was left, in the comparison's unit; None where unknown.
     pairs : int
         Pairs of places it was found from.
     """

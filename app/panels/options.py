@@ -31,8 +31,10 @@ UNITS: dict[object, str] = {
     "mm": "mm",
     "cm": "cm",
     "m": "m",
+    "um": "µm",
     "in": "in",
     "ft": "ft",
+    "us-ft": "us-ft",
 }
 VIEWS: dict[object, str] = {
     "z": QT_TRANSLATE_NOOP("OptionsPanel", "Along z, as in the files"),

@@ -13,6 +13,7 @@ from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection.frame import moved
 from surfcmp_core.surface import Surface
+from surfcmp_core.together import check_together
 
 _BESIDE_FIRST = 1.0
 _BESIDE = 2.0
@@ -64,7 +65,8 @@ def best_fit(
     Raises
     ------
     InputError
-        Fewer than ten nodes to use on either surface, or fewer than ten trusted partners.
+        Unlike units or axes; fewer than ten nodes to use on either surface, or fewer than ten
+        trusted partners.
 
     References
     ----------
@@ -72,6 +74,7 @@ def best_fit(
     Rusinkiewicz, Levoy, Efficient variants of the ICP algorithm, 2001 (borders rejected);
     Beaton, Tukey, The fitting of power series, 1974 (biweight).
     """
+    check_together(surface_1, surface_2)
     method: Method = "icp overlap" if overlap_only else "icp"
     if region_1 is not None or region_2 is not None:
         method = "icp region"

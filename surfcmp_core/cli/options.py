@@ -16,7 +16,7 @@ MaxEdgeOption = Annotated[
     typer.Option(
         "--max-edge",
         metavar="X",
-        help="Longest edge over which a cloud has data; inf: no limit.",
+        help="Longest edge over which a cloud has data, in the result's unit; inf: no limit.",
         show_default="follows the spacing of the nodes around",
     ),
 ]
@@ -28,7 +28,7 @@ ToleranceOption = Annotated[
     typer.Option(
         "--tolerance",
         metavar="X",
-        help="Share of the area within X; repeatable.",
+        help="Share of the area within X, in the result's unit; repeatable.",
         show_default="0.5, 1, 2",
     ),
 ]
@@ -37,7 +37,7 @@ DuplicatesOption = Annotated[
     typer.Option("--duplicates", help="What to do with nodes of equal x, y and different z."),
 ]
 UnitOption = Annotated[
-    Literal["mm", "cm", "m", "um", "in", "ft"] | None,
+    Literal["mm", "cm", "m", "um", "in", "ft", "us-ft"] | None,
     typer.Option(
         "--unit", help="Unit of the files' coordinates, whatever they say; converted to mm."
     ),
@@ -53,7 +53,8 @@ AlignOption = Annotated[
     typer.Option(
         "--align",
         metavar="none|icp|FILE",
-        help="Move B: not at all, by best fit, or by the 4×4 matrix in FILE.",
+        help="Move B onto A: not at all, by best fit, or by the 4×4 matrix in FILE, whose lengths "
+        "are in the unit of A's file (with --unit: in that one).",
     ),
 ]
 ProjectOption = Annotated[

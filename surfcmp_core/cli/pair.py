@@ -17,12 +17,10 @@ from surfcmp_core.progress import Progress
 from surfcmp_core.report import make_document
 from surfcmp_core.report.document import Document
 from surfcmp_core.surface import Surface
+from surfcmp_core.together import bring_together, carried
 
 if TYPE_CHECKING:
     from surfcmp_core.placement import View
-
-UNIT = "mm"
-"""Taken for granted, with a warning, where no file states a unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +104,8 @@ def compare_surfaces(
     from surfcmp_core.cli.weight import read_weight
     from surfcmp_core.compare import compare
 
-    surfaces, warnings = _in_one_unit(surfaces)
+    together = bring_together(*surfaces)
+    surfaces, warnings = together.surfaces, together.warnings
     motion, alignment = _alignment(surfaces, settings.align, progress)
     if settings.align == "icp" and not alignment["converged"]:
         warnings += ("--align icp: the best fit has not settled; check the alignment",)
@@ -154,27 +153,14 @@ def compare_surfaces(
     return comparison, make_document(comparison, asked)
 
 
-def _in_one_unit(
-    surfaces: tuple[Surface, Surface],
-) -> tuple[tuple[Surface, Surface], tuple[str, ...]]:
-    """Give both surfaces a unit; say what was taken for granted, refuse what cannot be."""
-    first, second = surfaces
-    if first.unit and second.unit and first.unit != second.unit:
-        raise InputError(
-            f"{second.path or second.name}: is in {second.unit}, but the other surface in"
-            f" {first.unit} (--unit says the unit of both)"
-        )
-    silent = [one for one in surfaces if not one.unit]
-    unit = first.unit or second.unit or UNIT
-    names = " and ".join(one.name for one in silent)
-    warnings = (f"no unit stated in {names}: taken as {unit}",) if silent else ()
-    return (replace(first, unit=unit), replace(second, unit=unit)), warnings
-
-
 def _alignment(
     surfaces: tuple[Surface, Surface], align: str, progress: Progress
 ) -> tuple[NDArray[np.float64] | None, Any]:
-    """Return the matrix that moves surface 2 (None: none), and how it was found."""
+    """Return the matrix that moves surface 2 (None: none), and how it was found.
+
+    A matrix of a file is in the unit and the axes of surface 1's file, and so is what is told of
+    it; what is returned is in those of the comparison.
+    """
     if align == "none":
         return None, "none"
     if align == "icp":
@@ -187,4 +173,5 @@ def _alignment(
     from surfcmp_core.cli.motion import read_motion
 
     matrix = read_motion(Path(align))
-    return matrix, {"method": "file", "file": align, "matrix": matrix.tolist()}
+    told = {"method": "file", "file": align, "matrix": matrix.tolist()}
+    return carried(matrix, surfaces[0].scale, surfaces[0].turned), told

@@ -52,11 +52,11 @@ def read_columns(data: bytes) -> Raw:
             points = points[:, 1:]
             changed["rows that begin with a number of the point, left out"] = len(points)
         points = points[:, :3]
-    stated = [heading.unit if heading else None, unit_in(tuple(lead.comments))]
-    units = [unit for unit in dict.fromkeys(stated) if unit]
-    if len(units) > 1:
-        raise InputError(f"its header says {units[0]}, a comment {units[1]}")
-    return Raw(points, unit=units[0] if units else None, changed=changed)
+    comments = tuple(lead.comments)
+    unit, stated = heading.unit if heading else None, unit_in(comments)
+    if unit and stated and unit != stated:
+        raise InputError(f"its header says {unit}, a comment {stated}")
+    return Raw(points, comments=comments, unit=unit, keeps_unit=True, changed=changed)
 
 
 def _heading(lead: Lead, rows: Sequence[str], first: Sequence[str]) -> Heading | None:

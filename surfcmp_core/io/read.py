@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +17,13 @@ from surfcmp_core.io.off import read_off
 from surfcmp_core.io.ply import read_ply
 from surfcmp_core.io.polygons import triangulate
 from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.space import stated_space
 from surfcmp_core.io.stl import read_stl
-from surfcmp_core.io.units import MILLIMETRES, unit_in
+from surfcmp_core.io.units import stated_unit
 from surfcmp_core.io.vtk import read_vtk
 from surfcmp_core.io.vtp import read_vtp
 from surfcmp_core.surface import Surface
+from surfcmp_core.units import SIZES, UNITS, converted, name_of
 
 READERS: dict[str, Callable[[bytes], Raw]] = {
     ".ply": read_ply,
@@ -46,14 +49,16 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
     A file with triangles is a mesh, else a cloud; polygons are fanned into triangles. Every node
     of the file is kept, in float64 and in the file's order, but for .stl, whose equal corners
     become one node. A unit given is converted to mm, and so is one that a comment of a .ply,
-    .obj, .off, .stl or .vtk states; the others, which may be surveys in metres, keep their bits,
-    and the unit they state is only told.
+    .obj, .off, .stl or .vtk states (``unit cm``, ``1 unit = 1000 mm``); the others, which may be
+    surveys in metres, keep their bits, and the unit they state is only told.
+    :func:`surfcmp_core.compare` brings two surfaces to one unit, whatever their formats. Axes that
+    a comment states (``SPACE=LPS``) are told as well.
 
     Parameters
     ----------
     path : str or Path
         Its ending, in either case, says the format.
-    unit : {"mm", "cm", "m", "um", "in", "ft"}, optional
+    unit : {"mm", "cm", "m", "um", "in", "ft", "us-ft"}, optional
         Unit of the file's coordinates, whatever the file says.
 
     Returns
@@ -67,17 +72,15 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         Where the file cannot be read or believed; one line that begins with its path.
     """
     path = Path(path)
-    if unit is not None and unit not in MILLIMETRES:
-        raise ValueError(f"unknown unit {unit!r}: {', '.join(MILLIMETRES)} are known")
+    if unit is not None and unit not in UNITS:
+        raise ValueError(f"unknown unit {unit!r}: {', '.join(UNITS)} are known")
     try:
         data = _bytes(path)
+        raw = READERS[path.suffix.lower()](data)
         with np.errstate(all="ignore"):  # what overflows is found not finite below
-            raw = READERS[path.suffix.lower()](data)
-            stated = raw.unit or unit_in(raw.comments)
-            converted = unit or (None if raw.unit else stated)
-            points = np.ascontiguousarray(raw.points) * MILLIMETRES[converted or "mm"]
-        check_nodes(points)
-        faces, changed = triangulate(raw.polygons, len(points))
+            surface = _told(Surface(np.ascontiguousarray(raw.points, np.float64)), raw, unit)
+        check_nodes(surface.points)
+        faces, changed = triangulate(raw.polygons, len(surface.points))
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     except OSError as error:
@@ -86,18 +89,31 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         told = " ".join(str(error).split())[:120]
         raise InputError(f"{path}: damaged or not a {path.suffix} file ({told})") from error
 
-    changed = {**raw.changed, **changed}
-    if converted and converted != "mm":
-        changed[f"nodes converted from {converted} to mm"] = len(points)
-    return Surface(
-        points,
-        faces,
+    return replace(
+        surface,
+        faces=faces,
         name=path.name,
         path=path,
         sha256=hashlib.sha256(data).hexdigest(),
-        unit="mm" if converted else stated,
-        changed=changed,
+        dropped=raw.dropped,
+        changed={**raw.changed, **changed, **surface.changed},
     )
+
+
+def _told(surface: Surface, raw: Raw, unit: str | None) -> Surface:
+    """Tell the surface's unit and axes, in mm where its unit is given or to be converted."""
+    if raw.refused and unit is None:
+        raise InputError(f"{raw.refused} (--unit says the unit of x, y and z)")
+    stated, axes = stated_unit(raw.comments), stated_space(raw.comments)
+    odd = (*axes.odd, *(stated.odd if unit is None else ()))
+    surface = replace(surface, space=axes.name, changed=dict.fromkeys(odd, 1))
+    if unit is not None:
+        return converted(surface, SIZES[unit], "mm")
+    if stated.size is None or raw.unit is not None:
+        return replace(surface, unit=raw.unit, georeferenced=raw.georeferenced)
+    if raw.keeps_unit and (name := name_of(stated.size)) in SIZES:
+        return replace(surface, unit=name)
+    return converted(surface, stated.size, "mm")
 
 
 def _bytes(path: Path) -> bytes:

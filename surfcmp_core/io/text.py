@@ -10,7 +10,11 @@ from surfcmp_core.errors import InputError
 
 
 def decode(data: bytes) -> str:
-    r"""Text of a file with or without a byte-order mark, its lines ended by ``\n``."""
+    r"""Text of a file with or without a byte-order mark, its lines ended by ``\n``.
+
+    What is not UTF-8 is read as Windows-1252, a superset of Latin-1: µ is the same letter there and
+    in most other code pages, and no letter is lost.
+    """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         text = data.decode("utf-16", "replace")
     elif b"\0" in data[:4] and data[:1].isascii():

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import surfcmp_core
 from surfcmp_core.comparison import Comparison
@@ -15,6 +16,7 @@ from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
 from surfcmp_core.stages import STAGES
 from surfcmp_core.surface import Surface
+from surfcmp_core.together import ASSUMED
 
 Document = dict[str, Any]
 
@@ -30,8 +32,8 @@ def now() -> str:
 
 
 def unit_of(comparison: Comparison) -> str:
-    """Length unit of the numbers; mm where no file says."""
-    return comparison.surfaces[0].unit or comparison.surfaces[1].unit or "mm"
+    """Length unit of the numbers."""
+    return comparison.surfaces[0].unit or ASSUMED
 
 
 def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None) -> Document:
@@ -69,7 +71,7 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
                 "unit": unit_of(comparison),
                 **(asked or {}),
             },
-            "transform": comparison.transform.tolist(),
+            "transform": _from_file(comparison).tolist(),
             "counts": comparison.counts,
             "measures": _measures(comparison.measures),
             "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in (*STAGES, "total")},
@@ -97,6 +99,12 @@ def region_document(
         }
     )
     return document
+
+
+def _from_file(comparison: Comparison) -> NDArray[np.float64]:
+    """(4, 4) from the coordinates in the file of surface 2 to the comparison's."""
+    told = comparison.surfaces[1].from_file  # only its diagonal
+    return comparison.transform * np.diagonal(told)
 
 
 def _measures(measures: Measures) -> Document:

@@ -15,7 +15,8 @@ FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
     {"errors", "progress", "surface", "names", "_cache"},
-    {"kernel", "system"},
+    {"kernel", "system", "units"},
+    {"together"},
     {"linear_algebra", "predicates", "stack"},
     {"grid", "io", "thinning"},
     {"triangulation", "projection", "samples"},

@@ -29,7 +29,7 @@ SQUARE = files.SQUARE
         ("# unit feet", "ft"),
         ("made by United Mm", None),
         ("a unit cube", None),
-        ("one unit = 1 m", None),
+        ("one unit = 1 m", "m"),
         ("units in mm or so", None),
         ("units per em", None),
     ],
@@ -110,7 +110,7 @@ def test_what_conversion_makes_infinite_is_refused(tmp_path: Path):
 
 
 def test_an_unknown_unit_is_a_mistake_of_the_caller(tmp_path: Path):
-    with pytest.raises(ValueError, match="'furlong': mm, cm, m, um, in, ft are known"):
+    with pytest.raises(ValueError, match="'furlong': mm, cm, m, um, in, ft, us-ft are known"):
         read_surface(tmp_path / "scan.ply", unit="furlong")
 
 
