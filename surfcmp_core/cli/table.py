@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
-from surfcmp_core.report.provenance import base_name, count_rows
+from surfcmp_core.report.provenance import base_name, count_rows, left_out_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -47,7 +47,7 @@ def show(document: Document) -> None:
 
     out.print(Text("\nCounts", "bold"))
     counts = columns("", "")
-    for name, text in count_rows(document):
+    for name, text in (*count_rows(document), *left_out_rows(document)):
         counts.add_row("  " + name, text)
     out.print(counts)
     out.print()

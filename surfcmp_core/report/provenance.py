@@ -42,9 +42,18 @@ def _input(one: Document) -> Rows:
         nodes += f", {thousands(one['triangles'])} triangles"
     rows = [("file", one["file"]), ("kind", f"{one['kind']}, {nodes}")]
     if one["dropped"]:
-        dropped = ", ".join(f"{reason}: {thousands(n)}" for reason, n in one["dropped"].items())
-        rows.append(("dropped", dropped))
+        rows.append(("dropped", _dropped(one)))
     return [*rows, ("SHA-256", one["sha256"] or "none (not from a file)")]
+
+
+def left_out_rows(document: Document) -> Rows:
+    """Return the nodes left out of each input by reason, where there are any."""
+    numbered = enumerate(document["inputs"], 1)
+    return [(f"left out of {k}", _dropped(one)) for k, one in numbered if one["dropped"]]
+
+
+def _dropped(one: Document) -> str:
+    return ", ".join(f"{reason}: {thousands(n)}" for reason, n in one["dropped"].items())
 
 
 def count_rows(document: Document) -> Rows:

@@ -187,7 +187,7 @@ def las(
     if wkt:
         header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr(wkt))
     if record:
-        header.vlrs.append(record)
+        header.vlrs.extend(record if isinstance(record, list) else [record])
     data = laspy.LasData(header)
     data.x, data.y, data.z = points.T
     file = io.BytesIO()

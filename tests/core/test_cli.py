@@ -244,17 +244,18 @@ def test_a_best_fit_can_be_asked_for(
     assert document["measures"]["mean_abs"] < 0.01
 
 
-def test_units_that_differ_are_refused_unless_one_is_said(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_units_that_differ_are_made_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     points = np.random.default_rng(1).random((50, 3))
     files = [str(tmp_path / "a.npz"), str(tmp_path / "b.npz")]
-    for file, unit in zip(files, ("mm", "m"), strict=True):
-        np.savez(file, points=points, meta=json.dumps({"units": unit}))
-    assert main(["compare", *files]) == 3
-    (line,) = lines(capsys)
-    assert line.startswith(f"surfcmp: {files[1]}: is in m, but the other surface in mm")
-    assert main(["compare", *files, "--unit", "m", "--quiet"]) == 0
+    for file, unit, scale in zip(files, ("mm", "m"), (1000.0, 1.0), strict=True):
+        np.savez(file, points=points * scale, meta=json.dumps({"units": unit}))
+    assert main(["compare", *files, "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["options"]["unit"] == "mm"
+    assert document["measures"]["max_abs"] == 0
+    assert document["warnings"] == ["b.npz: 50 nodes converted from m to mm"]
+    assert document["transform"] == np.diag([1000.0, 1000.0, 1000.0, 1.0]).tolist()
+    assert main(["compare", files[1], files[1], "--unit", "m", "--quiet"]) == 0
 
 
 def test_one_stated_unit_serves_both(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

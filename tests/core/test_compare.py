@@ -268,7 +268,7 @@ def test_threads_do_not_matter_to_the_last_bit(domain: Domain) -> None:
 
 
 def test_input_is_left_as_it_was() -> None:
-    first, second = _two(8)
+    first, second = (dataclasses.replace(s, unit="mm") for s in _two(8))
     before = first.points.copy(), second.points.copy()
     result = compare(first, second, align=np.diag([1.0, 1.0, 2.0, 1.0]))
     assert np.array_equal(first.points, before[0])
