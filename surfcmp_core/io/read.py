@@ -76,8 +76,8 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         raise ValueError(f"unknown unit {unit!r}: {', '.join(UNITS)} are known")
     try:
         data = _bytes(path)
-        raw = READERS[path.suffix.lower()](data)
         with np.errstate(all="ignore"):  # what overflows is found not finite below
+            raw = READERS[path.suffix.lower()](data)
             surface = _told(Surface(np.ascontiguousarray(raw.points, np.float64)), raw, unit)
         check_nodes(surface.points)
         faces, changed = triangulate(raw.polygons, len(surface.points))

@@ -143,7 +143,7 @@ REFUSED: dict[str, tuple[str, str, str]] = {
     "# lon lat h": (" ", "xyz", "names latitude and longitude"),
     "x (deg),y (deg),z (m)": (",", "xyz", "'deg', which is no length known"),
     "x [px],y [px],z [px]": (",", "xyz", "'px', which is no length known"),
-    "x [km],y [km],z [km]": (",", "xyz", "'km', which is no length known"),
+    "x [miles],y [miles],z [miles]": (",", "xyz", "'miles', which is no length known"),
     "x [mm],y [mm],z [m]": (",", "xyz", "in m and mm"),
     "Easting_m Northing_m Elevation_ft": (" ", "xyz", "in ft and m"),
     "x [mm],y [mm],z [mm]\nm,m,m": (",", "xyz", "in m and mm"),
