@@ -133,7 +133,7 @@ def _like(silent: Surface, other: Surface) -> tuple[Surface, str]:
     assert other.unit is not None
     if other.unit not in SIZES:
         return replace(silent, unit=other.unit), other.unit
-    size = SIZES[other.unit] / other.scale
+    size = SIZES[other.unit] * other.scale
     return converted(silent, size, other.unit), name_of(size)
 
 
