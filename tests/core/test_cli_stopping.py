@@ -1,5 +1,6 @@
 """Ctrl-C ends the program soon and leaves nothing, even where something does not unwind."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -10,10 +11,18 @@ import pytest
 PROJECT = Path(__file__).parents[2]
 
 STUBBORN = """
-import sys, time
+import os, sys, time
+from numba import njit
 from app.__main__ import main
 from surfcmp_core.cli import stopping
 from surfcmp_core.report import outputs
+from surfcmp_core.system.children import child
+
+@njit("float64(float64, int64)", nogil=True)
+def kernel(x, rounds):
+    for _ in range(rounds):
+        x = x * 0.5 + 1.0 / x
+    return x
 
 class HalfMade:
     def __del__(self):
@@ -26,21 +35,28 @@ def sleep(seconds):
 def stubborn(_comparison, _document, stream):
     stream.write(b"half")
     made = HalfMade()
-    print("writing", flush=True)
+    if "child" in sys.argv[1]:
+        with child("import time; time.sleep(60)") as process:
+            print("writing", process.pid, flush=True)
+            kernel(1.0, 1 << 40)
+    print("writing", os.getpid(), flush=True)
     try:
+        if "kernel" in sys.argv[1]:
+            kernel(1.0, 1 << 40)
         sleep(1 if "ignored" in sys.argv[1] else 60)
     finally:
         if "stubborn" in sys.argv[1]:
             sleep(60)
 
-stopping.PATIENCE = 1
+stopping.PATIENCE = 0.5
 outputs.WRITERS[".npz"] = stubborn
 sys.exit(main(sys.argv[2:]))
 """
 
 
-@pytest.mark.skipif(not hasattr(signal, "alarm"), reason="no alarms on this system")
-@pytest.mark.parametrize("kind", ["gentle", "stubborn", "stubborn, twice", "ignored"])
+@pytest.mark.parametrize(
+    "kind", ["gentle", "kernel", "child", "stubborn", "stubborn, twice", "ignored"]
+)
 def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) -> None:
     for name, height in (("a", 0), ("b", 1)):
         (tmp_path / f"{name}.xyz").write_text(
@@ -59,11 +75,14 @@ def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) ->
         text=True,
     ) as running:
         assert running.stdout
-        assert running.stdout.readline() == "writing\n"
+        word, number = running.stdout.readline().split()
+        assert word == "writing"
         running.send_signal(signal.SIGHUP if kind == "stubborn" else signal.SIGINT)
         if kind.endswith("twice"):
             running.send_signal(signal.SIGTERM)
         said = running.communicate(timeout=30)
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(number), 0)  # neither the program nor its child
     if kind == "ignored":
         assert running.returncode == 0
         assert (tmp_path / "r.npz").read_bytes() == b"half"
