@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from app.jobs.comparing import Compared
 from app.jobs.regions import region_mask
 from app.jobs.runner import Runner
-from app.model.document import NOT_MOVED, Matrix, Motion
+from app.model.document import FIT_KEYS, NOT_MOVED, Matrix, Motion
 from app.model.pair import Pair, Point
 from app.model.tool import Tool
 from surfcmp_core.errors import InputError
@@ -21,6 +21,7 @@ from surfcmp_core.together import carried
 
 if TYPE_CHECKING:
     from app.window import MainWindow
+    from surfcmp_core.alignment import Alignment as Found
 
 
 class Alignment(QObject):
@@ -101,8 +102,8 @@ class Alignment(QObject):
             self._window.banner.tell(str(error))
             return
         scale = 1.0 if shown is None else float(shown.comparison.surfaces[0].scale)
-        residual = found.residual * scale  # landmarks are where file 1 counts them
-        self._move(Motion(_matrix(found.matrix), "landmarks", residual, found.inliers))
+        # landmarks are where file 1 counts them
+        self._move(_motion(found, found.matrix, "landmarks", scale))
         self._window.display.use(Tool.LOOK)
 
     def best_fit(self, on_region: bool) -> None:
@@ -202,7 +203,18 @@ def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion
     }
     method = names.get(found.method, found.method)
     matrix = carried(found.matrix, 1 / first.scale, first.turned)
-    return Motion(_matrix(matrix), method, found.residual, found.inliers)
+    return _motion(found, matrix, method)
+
+
+def _motion(
+    found: "Found", matrix: NDArray[np.float64], method: str, scale: float = 1.0
+) -> Motion:
+    """Keep what a fit says of itself, its lengths times `scale`."""
+    record = found.record()
+    lengths = {key: record[key] * scale for key in ("rms_kept", "rms_region", "shifted")}
+    marks = [{**mark, "residual": mark["residual"] * scale} for mark in record["landmarks"]]
+    fit = {key: record[key] for key in FIT_KEYS} | lengths | {"landmarks": marks}
+    return Motion(_matrix(matrix), method, lengths["rms_kept"], found.inliers, fit)
 
 
 def _matrix(array: NDArray[np.float64]) -> Matrix:

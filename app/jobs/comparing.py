@@ -90,7 +90,7 @@ def _measured_anew(
 
     kept = before.record["options"]
     asked = {key: kept[key] for key in ("weight", "align", "project", "view") if key in kept}
-    return comparison, make_document(comparison, asked)
+    return comparison, make_document(comparison, asked, before.record["alignment"])
 
 
 def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[str, Any]]:
@@ -129,6 +129,12 @@ def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[s
             "inliers": motion.pairs,
             "matrix": [list(row) for row in motion.matrix],
         }
+        from surfcmp_core.alignment import record_of_motion
+
+        moved = record_of_motion(motion.method, np.array(motion.matrix)) | motion.fit
+        doubts = tuple(moved["doubts"])
+        comparison = replace(comparison, warnings=(*doubts, *comparison.warnings))
+        record |= {"alignment": moved, "warnings": [*doubts, *record["warnings"]]}
     return comparison, record
 
 

@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
+
+import numpy as np
 
 from app.model.region import Region
+from surfcmp_core.alignment import record_of_motion
 from surfcmp_core.comparison import Options
 
 Matrix = tuple[tuple[float, float, float, float], ...]
@@ -16,6 +19,8 @@ IDENTITY: Matrix = (
     (0.0, 0.0, 0.0, 1.0),
 )
 """The motion that moves nothing."""
+FIT_KEYS = frozenset(record_of_motion("none", np.eye(4))) - {"method", "matrix"}
+"""What a fit says of itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +37,15 @@ class Motion:
         Root mean square distance that was left, in the comparison's unit; None where unknown.
     pairs : int
         Pairs of places it was found from.
+    fit : dict
+        What a fit says of itself, by the keys of "alignment" in the .json result; else empty.
     """
 
     matrix: Matrix = IDENTITY
     method: str = "none"
     residual: float | None = None
     pairs: int = 0
+    fit: dict[str, Any] = field(default_factory=dict)
 
 
 NOT_MOVED = Motion()

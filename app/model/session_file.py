@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from app.model.document import Document, Motion
+from app.model.document import FIT_KEYS, Document, Motion
 from app.model.pair import Pair
 from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Place, Scale, ViewState
@@ -111,7 +111,7 @@ def from_text(text: str, folder: Path, name: str) -> Saved:
         document = Document(
             paths=(one.places[0] if one else None, two.places[0] if two else None),
             options=Options(**_tuples(data["options"])),
-            motion=Motion(**_tuples(data["motion"])),
+            motion=_motion(data["motion"]),
             unit=str(data["unit"]),
             project=str(data["project"]),
             regions=tuple(_region(region) for region in data["regions"]),
@@ -153,6 +153,21 @@ def write(path: Path, text: str) -> None:
 
 def _put(text: str, stream: BinaryIO) -> None:
     stream.write(text.encode())
+
+
+def _motion(data: dict[str, Any]) -> Motion:
+    motion = Motion(**_tuples(data))
+    if motion.fit:
+        rest = dict(motion.fit)
+        words = (*rest.pop("free"), *rest.pop("doubts"))
+        marks = [(mark["name"], mark["residual"]) for mark in rest.pop("landmarks")]
+        words += tuple(name for name, _ in marks)
+        numbers = [*rest.values(), *(residual for _, residual in marks)]
+        right = all(isinstance(word, str) for word in words)
+        right &= all(isinstance(number, float | int) for number in numbers)
+        if not right or set(motion.fit) != FIT_KEYS:
+            raise ValueError("the account of a fit is not one")
+    return motion
 
 
 def _region(data: dict[str, Any]) -> Region:

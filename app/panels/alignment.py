@@ -162,7 +162,7 @@ class AlignmentPanel(Panel):
                 text += self.tr("; residual {:.3g} {}, {} pairs").format(
                     motion.residual, unit, motion.pairs
                 )
-            self.method.setText(text)
+            self.method.setText("\n".join([text, *_said(motion, unit)]))
         self.table.clear()
         if now is None:
             return
@@ -176,3 +176,13 @@ class AlignmentPanel(Panel):
                 "–" if m is None else f"{four(getattr(m, key))} {unit}" for m in (before, now)
             ]
             self.table.add_row([name, *values])
+
+
+def _said(motion: Motion, unit: str) -> list[str]:
+    """Return what a fit says of itself, as in the reports, and its doubts."""
+    from surfcmp_core.report.provenance import fit_rows
+
+    if not motion.fit:
+        return []
+    rows = fit_rows({"method": motion.method} | motion.fit, unit)
+    return [*(f"{name}: {text}" for name, text in rows[2:]), *motion.fit["doubts"]]

@@ -6,8 +6,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.alignment.account import account_of
 from surfcmp_core.alignment.alignment import Alignment, Method
 from surfcmp_core.alignment.closest_points import Found, closest_points
+from surfcmp_core.alignment.doubts import doubts_of
 from surfcmp_core.alignment.side import Side, side_of
 from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
@@ -60,7 +62,7 @@ def best_fit(
     Returns
     -------
     Alignment
-        The same for the same input, bit for bit.
+        The same for the same input, bit for bit. Its `doubts` say why the pose may be wrong.
 
     Raises
     ------
@@ -95,6 +97,14 @@ def best_fit(
         motion, rounds = first.motion, first.iterations
     coarser = bool(np.median(sides[0].spacing) > np.median(sides[1].spacing))
     found = _fit(sides, coarser, motion, _BESIDE if overlap_only else None, _NEAR, onto_finer)
+    account = account_of(sides, found.motion)
+    doubts = doubts_of(
+        account,
+        found.converged,
+        found.residual,
+        min(side.extent for side in sides),
+        surface_1.unit or surface_2.unit or "units",
+    )
     matrix = found.motion.copy()
     matrix[:3, 3] += origin - dots(matrix[:3, :3], origin)
     return Alignment(
@@ -105,6 +115,14 @@ def best_fit(
         found.overlap,
         rounds + found.iterations,
         found.converged,
+        found.pairs,
+        found.residual_all,
+        account.overlaps,
+        account.agreement,
+        account.turned,
+        account.shifted,
+        account.free,
+        doubts=doubts,
     )
 
 

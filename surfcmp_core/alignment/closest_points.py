@@ -41,6 +41,8 @@ class Found:
     overlap: float
     iterations: int
     converged: bool
+    pairs: int
+    residual_all: float
 
 
 def closest_points(
@@ -107,8 +109,16 @@ def closest_points(
                 "bring the surfaces nearer by landmarks first"
             )
         if still or rounds == _ROUNDS:
-            residual = math.sqrt(np.square(off[inlier]).mean())
-            return Found(motion, residual, count, float(paired.mean()), rounds, still)
+            return Found(
+                motion,
+                math.sqrt(np.square(off[inlier]).mean()),
+                count,
+                float(paired.mean()),
+                rounds,
+                still,
+                int(np.count_nonzero(paired)),
+                math.sqrt(np.square(off[paired]).mean()),
+            )
         turn_and_shift = _step(at[inlier], normal[inlier], off[inlier], weight[inlier])
         step = _motion(turn_and_shift)
         still = float(np.abs(applied(step, at) - at).max()) <= near * extent

@@ -5,11 +5,14 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from surfcmp_core.alignment.account import angle_of
 from surfcmp_core.alignment.alignment import Alignment
 from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import (
     dots,
     eigen,
+    length,
+    lengths,
     moments,
     rotation,
     turned,
@@ -75,7 +78,22 @@ def fit_landmarks(landmarks_1: ArrayLike, landmarks_2: ArrayLike) -> Alignment:
     matrix = np.eye(4)
     matrix[:3, :3] = turn
     matrix[:3, 3] = centre_1 - dots(turn, centre_2)
-    return Alignment(matrix, "landmarks", residual, len(p1), 1.0, 0, True)
+    return Alignment(
+        matrix,
+        "landmarks",
+        residual,
+        len(p1),
+        1.0,
+        0,
+        True,
+        pairs=len(p1),
+        residual_all=residual,
+        overlaps=(1.0, 1.0),
+        agreement=1.0,
+        turned=angle_of(turn),
+        shifted=length(centre_1 - centre_2),
+        landmarks=tuple(lengths(q1 - turned(q2, turn)).tolist()),
+    )
 
 
 def _alike(q1: NDArray[np.float64], q2: NDArray[np.float64]) -> NDArray[np.float64]:

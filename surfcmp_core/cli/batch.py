@@ -181,7 +181,9 @@ def _writer(path: Path, done: list[Document]) -> Any:
             (list(one["measures"]["within_tolerance"]) for one in done if "error" not in one), []
         )
         table = csv.writer(text, lineterminator="\n")
-        table.writerow(["file_1", "file_2", *keys, *(f"within_{t}" for t in tolerances), "error"])
+        table.writerow(
+            ["file_1", "file_2", *keys, *(f"within_{t}" for t in tolerances), "warnings", "error"]
+        )
         for one in done:
             measures = one.get("measures", {})
             within = measures.get("within_tolerance", {})
@@ -189,7 +191,7 @@ def _writer(path: Path, done: list[Document]) -> Any:
                 [one["inputs"][0]["file"], one["inputs"][1]["file"]]
                 + [measures.get(key) for key in keys]
                 + [within.get(t) for t in tolerances]
-                + [one.get("error", "")]
+                + ["; ".join(one.get("warnings", ())), one.get("error", "")]
             )
         text.detach()
 
@@ -217,3 +219,7 @@ def _show(done: list[Document]) -> None:
         cells = (with_unit(one["measures"][key], powers[key], unit) for key in _COLUMNS)
         rows.add_row(*names, *(f"{value} {symbol}" for value, symbol in cells))
     console().print(rows)
+    for one in done:
+        for doubt in one["alignment"]["doubts"] if "error" not in one else ():
+            pair = " and ".join(Path(file["file"]).name for file in one["inputs"])
+            console().print(Text.assemble(("warning: ", "bold yellow"), f"{pair}: {doubt}"))

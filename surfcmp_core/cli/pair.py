@@ -20,6 +20,7 @@ from surfcmp_core.surface import Surface
 from surfcmp_core.together import bring_together, carried
 
 if TYPE_CHECKING:
+    from surfcmp_core.alignment import Record
     from surfcmp_core.placement import View
 
 
@@ -107,11 +108,10 @@ def compare_surfaces(
     together = bring_together(*surfaces)
     surfaces, warnings = together.surfaces, together.warnings
     motion, alignment = _alignment(surfaces, settings.align, progress)
-    if settings.align == "icp" and not alignment["converged"]:
-        warnings += ("--align icp: the best fit has not settled; check the alignment",)
+    warnings += tuple(f"--align icp: {doubt}" for doubt in alignment["doubts"])
     asked = {
         "weight": None if settings.weight is None else str(settings.weight),
-        "align": alignment,
+        "align": _option(settings.align, alignment),
         "project": settings.project,
     }
     placement = None
@@ -150,28 +150,37 @@ def compare_surfaces(
         )
         comparison = replace(comparison, surfaces=(first, second), transform=placement.motions[1])
     comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
-    return comparison, make_document(comparison, asked)
+    return comparison, make_document(comparison, asked, alignment)
 
 
 def _alignment(
     surfaces: tuple[Surface, Surface], align: str, progress: Progress
-) -> tuple[NDArray[np.float64] | None, Any]:
-    """Return the matrix that moves surface 2 (None: none), and how it was found.
+) -> tuple[NDArray[np.float64] | None, "Record"]:
+    """Return the matrix that moves surface 2 (None: none), and the record of how it was found.
 
     A matrix of a file is in the unit and the axes of surface 1's file, and so is what is told of
     it; what is returned is in those of the comparison.
     """
+    from surfcmp_core.alignment import best_fit, record_of_motion
+
     if align == "none":
-        return None, "none"
+        return None, record_of_motion("none", np.eye(4))
     if align == "icp":
-        from dataclasses import asdict
-
-        from surfcmp_core.alignment import best_fit
-
         found = best_fit(*surfaces, progress=progress)
-        return found.matrix, {**asdict(found), "matrix": found.matrix.tolist()}
+        return found.matrix, found.record()
     from surfcmp_core.cli.motion import read_motion
 
     matrix = read_motion(Path(align))
-    told = {"method": "file", "file": align, "matrix": matrix.tolist()}
+    told = record_of_motion("file", matrix)
     return carried(matrix, surfaces[0].scale, surfaces[0].turned), told
+
+
+def _option(align: str, alignment: "Record") -> Any:
+    """Return the option as it stands among the others."""
+    if align == "none":
+        return "none"
+    if align == "icp":
+        names = {"residual": "rms_kept", "inliers": "pairs_kept", "iterations": "rounds"}
+        same = {key: alignment[key] for key in ("method", "matrix", "overlap", "converged")}
+        return same | {name: alignment[key] for name, key in names.items()}
+    return {"method": "file", "file": align, "matrix": alignment["matrix"]}

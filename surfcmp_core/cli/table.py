@@ -6,7 +6,12 @@ from typing import TYPE_CHECKING, Literal
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
-from surfcmp_core.report.provenance import base_name, count_rows, left_out_rows
+from surfcmp_core.report.provenance import (
+    alignment_rows,
+    base_name,
+    count_rows,
+    left_out_rows,
+)
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -50,6 +55,12 @@ def show(document: Document) -> None:
     for name, text in (*count_rows(document), *left_out_rows(document)):
         counts.add_row("  " + name, text)
     out.print(counts)
+    if document["alignment"]["method"] != "none":
+        out.print(Text("\nAlignment", "bold"))
+        found = columns("", "")
+        for name, text in alignment_rows(document):
+            found.add_row("  " + name, text)
+        out.print(found)
     out.print()
     for warning in document["warnings"]:
         out.print(Text.assemble(("warning: ", "bold yellow"), warning))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import surfcmp_core
+from surfcmp_core.alignment import record_of_motion
 from surfcmp_core.comparison import Comparison
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Measures
@@ -36,7 +37,11 @@ def unit_of(comparison: Comparison) -> str:
     return comparison.surfaces[0].unit or ASSUMED
 
 
-def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None) -> Document:
+def make_document(
+    comparison: Comparison,
+    asked: Mapping[str, Any] | None = None,
+    alignment: Mapping[str, Any] | None = None,
+) -> Document:
     """Describe a comparison as schema 1 of the .json result.
 
     Parameters
@@ -46,6 +51,8 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
     asked
         Options the comparison itself does not know (weight file, alignment, projection), to
         stand among the others.
+    alignment
+        Record of how surface 2 was moved onto surface 1; None: it was not.
 
     Returns
     -------
@@ -72,6 +79,7 @@ def make_document(comparison: Comparison, asked: Mapping[str, Any] | None = None
                 **(asked or {}),
             },
             "transform": _from_file(comparison).tolist(),
+            "alignment": alignment or record_of_motion("none", np.eye(4)),
             "counts": comparison.counts,
             "measures": _measures(comparison.measures),
             "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in (*STAGES, "total")},

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from surfcmp_core.alignment import Record
 from surfcmp_core.report.document import Document
 from surfcmp_core.report.numbers import thousands, with_unit
 
@@ -87,15 +88,43 @@ def option_rows(document: Document) -> Rows:
 
 def alignment_rows(document: Document) -> Rows:
     """Return how surface 2 was moved onto surface 1, and how well that went."""
-    unit, found = document["options"]["unit"], document["options"].get("align", "none")
-    if not isinstance(found, dict):
-        return [("method", _plain(found))]
-    rows = []
-    for key, value in found.items():
-        if key == "residual" and value is not None:
-            rows.append((key, f"{' '.join(with_unit(value, 1, unit))}, root mean square"))
-        elif key != "matrix" and value:
-            rows.append((key, _plain(value)))
+    asked = document["options"].get("align")
+    file = asked.get("file") if isinstance(asked, dict) else None
+    rows = fit_rows(document["alignment"], document["options"]["unit"])
+    return [rows[0], *([("file", file)] if file else []), *rows[1:]]
+
+
+def fit_rows(found: Record, unit: str) -> Rows:
+    """Return what the record of an alignment says; of what is not known nothing."""
+
+    def length(value: float) -> str:
+        return " ".join(with_unit(value, 1, unit))
+
+    rows = [("method", str(found["method"]))]
+    if found["rms_kept"] is not None:
+        kept = f"{length(found['rms_kept'])}, root mean square of {thousands(found['pairs_kept'])}"
+        rows.append(("residual", f"{kept} pairs kept"))
+        every = (
+            f"{length(found['rms_region'])}, root mean square of all {thousands(found['pairs'])}"
+        )
+        rows.append(("residual of all", every + " pairs"))
+    rows += [
+        (f"landmark {mark['name']}", f"{length(mark['residual'])} left")
+        for mark in found["landmarks"]
+    ]
+    if found["rounds"]:
+        one, two = (100.0 * found[f"overlap_{number}"] for number in (1, 2))
+        rows.append(("overlap", f"{one:.1f} % of the nodes of 1, {two:.1f} % of those of 2"))
+        rows.append(
+            ("agreement", f"{found['agreement']:.2f} of directions (0: by chance, 1: alike)")
+        )
+    if found["turned"] is not None:
+        rows.append(
+            ("reach", f"turned by {found['turned']:.3g}°, shifted by {length(found['shifted'])}")
+        )
+    if found["rounds"]:
+        rows.append(("free to", ", ".join(found["free"]) or "nothing: held in every direction"))
+        rows.append(("rounds", f"{found['rounds']}, {'' if found['converged'] else 'not '}settled"))
     return rows
 
 
