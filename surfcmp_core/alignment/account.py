@@ -54,12 +54,8 @@ def account_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> Account
         Its `agreement` is 1 - s / s0, the smaller of both ways: s is the median sine of the angle
         between partners' normals, s0 that of the same nodes paired by chance.
     """
-    first, second = sides
-    back = motion[:3, :3].T
-    ways = (
-        _paired(first, second, back, -turned(motion[:3, 3], back)),
-        _paired(second, first, motion[:3, :3], motion[:3, 3]),
-    )
+    second = sides[1]
+    ways = _both_ways(sides, motion)
     more = ways[0] if len(ways[0].places) >= len(ways[1].places) else ways[1]
     noise = max(_unevenness(side) for side in sides)
     middle = second.moving.mean(axis=0)
@@ -77,6 +73,20 @@ def account_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> Account
             turned(more.partners, onto_first),
             noise,
         ),
+    )
+
+
+def agreement_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> float:
+    """Give the `agreement` of a pose alone."""
+    return min(_agreement(way) for way in _both_ways(sides, motion))
+
+
+def _both_ways(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> tuple[_Paired, _Paired]:
+    first, second = sides
+    back = motion[:3, :3].T
+    return (
+        _paired(first, second, back, -turned(motion[:3, 3], back)),
+        _paired(second, first, motion[:3, :3], motion[:3, 3]),
     )
 
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from surfcmp_core.alignment.account import account_of
 from surfcmp_core.alignment.alignment import Alignment, Method
 from surfcmp_core.alignment.closest_points import Found, closest_points
-from surfcmp_core.alignment.doubts import doubts_of
+from surfcmp_core.alignment.doubts import UNSURE, doubts_of
+from surfcmp_core.alignment.other_poses import better_pose
 from surfcmp_core.alignment.side import Side, side_of
 from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
@@ -98,8 +99,12 @@ def best_fit(
     coarser = bool(np.median(sides[0].spacing) > np.median(sides[1].spacing))
     found = _fit(sides, coarser, motion, _BESIDE if overlap_only else None, _NEAR, onto_finer)
     account = account_of(sides, found.motion)
+    better = None
+    if account.agreement < UNSURE:
+        better = better_pose(sides, found.motion, found.residual, account.agreement)
     doubts = doubts_of(
         account,
+        better,
         found.converged,
         found.residual,
         min(side.extent for side in sides),

@@ -5,26 +5,37 @@ up to 180 degrees: no wrong pose among them is without a word.
 """
 
 from surfcmp_core.alignment.account import Account
+from surfcmp_core.alignment.other_poses import Better
 
 FARTHEST_TURN = 30.0
 """Degrees from which on a best fit may end anywhere."""
 _FARTHEST_SHIFT = 0.2
 """Share of the extent, likewise."""
-_AGREEMENT = 0.5
-"""Right poses of like surfaces have 0.56 and more, wrong ones that settled 0.45 and less."""
+_AGREEMENT = 0.4
+"""Right poses have 0.42 and more (skin on bone); of wrong ones only those that are turned by about
+half have as much, up to 0.54, and there another pose fits better."""
+UNSURE = 0.75
+"""Agreement below which other poses are tried."""
 _OVERLAP = 0.5
 _RESIDUAL = 0.02
 """Share of the extent."""
 
 
 def doubts_of(
-    account: Account, converged: bool, residual: float, extent: float, unit: str
+    account: Account,
+    better: Better | None,
+    converged: bool,
+    residual: float,
+    extent: float,
+    unit: str,
 ) -> tuple[str, ...]:
     """Name what speaks against a best fit.
 
     Parameters
     ----------
     account : Account
+    better : Better or None
+        Another pose.
     converged : bool
     residual : float
         Root mean square of the pairs kept.
@@ -46,6 +57,12 @@ def doubts_of(
             f"the best fit turned surface 2 by {account.turned:.3g}° and shifted it by"
             f" {account.shifted:.3g} {unit}: from so far it may end in a wrong pose; look at it, or"
             " begin with landmarks"
+        )
+    if better is not None:
+        doubts.append(
+            f"another pose fits better, turned by about half: residual {better.residual:.3g}"
+            f" {unit}, agreement {better.agreement:.2f} in place of {residual:.3g} {unit},"
+            f" {account.agreement:.2f}"
         )
     if account.agreement < _AGREEMENT and not account.free:
         doubts.append(

@@ -1,0 +1,68 @@
+"""Whether a surface would lie better the other way round."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surfcmp_core.alignment.account import agreement_of
+from surfcmp_core.alignment.closest_points import closest_points
+from surfcmp_core.alignment.side import Side
+from surfcmp_core.errors import InputError
+from surfcmp_core.linear_algebra import composed, eigen, moments
+from surfcmp_core.progress import silent
+
+_MOVING = 1_000
+"""Nodes that are enough to tell poses from each other."""
+_NEAR = 1e-4
+_BESIDE = 2.0
+_BETTER = 0.1
+"""So much more agreement is no matter of chance."""
+
+
+@dataclass(frozen=True, slots=True)
+class Better:
+    """A pose that fits better: root mean square distance and agreement."""
+
+    residual: float
+    agreement: float
+
+
+def better_pose(
+    sides: tuple[Side, Side], motion: NDArray[np.float64], residual: float, agreement: float
+) -> Better | None:
+    """Try a pose turned by half about each main axis: a face upside down settles as well.
+
+    Parameters
+    ----------
+    sides : two Side
+    motion : (4, 4) float64
+        The pose found, of surface 2.
+    residual, agreement : float
+        Of that pose.
+
+    Returns
+    -------
+    Better or None
+        The best of those that fit clearly better; None: there is none.
+    """
+    fixed, moving = sides
+    some = replace(moving, moving=moving.moving[:: -(-len(moving.moving) // _MOVING)])
+    middle = some.moving.mean(axis=0)
+    spread = some.moving - middle
+    axes = eigen(moments(spread, np.ones(len(spread))))[1]
+    found = []
+    for axis in axes.T:
+        half_turn = np.eye(4)
+        half_turn[:3, :3] = 2.0 * axis[:, None] * axis[None, :] - np.eye(3)
+        half_turn[:3, 3] = middle - composed(half_turn[:3, :3], np.diag(middle)).sum(axis=1)
+        try:
+            pose = closest_points(
+                fixed, some, composed(motion, half_turn), _BESIDE, _NEAR, lambda s: silent("", s)
+            )
+        except InputError:  # no partners there
+            continue
+        other = Better(pose.residual, agreement_of(sides, pose.motion))
+        if other.residual < residual and other.agreement > agreement + _BETTER:
+            found.append(other)
+    return max(found, key=lambda pose: pose.agreement, default=None)
