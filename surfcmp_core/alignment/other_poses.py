@@ -1,6 +1,7 @@
 """Whether a surface would lie better the other way round."""
 
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from surfcmp_core.alignment.account import agreement_of
 from surfcmp_core.alignment.closest_points import closest_points
 from surfcmp_core.alignment.side import Side
 from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import composed, eigen, moments
+from surfcmp_core.linear_algebra import applied, composed, eigen, moments
 from surfcmp_core.progress import silent
 
 _MOVING = 1_000
@@ -31,7 +32,9 @@ class Better:
 def better_pose(
     sides: tuple[Side, Side], motion: NDArray[np.float64], residual: float, agreement: float
 ) -> Better | None:
-    """Try a pose turned by half about each main axis: a face upside down settles as well.
+    """Try poses turned by half about each main axis: a face upside down settles as well.
+
+    Each is tried where the surface lies and with its middle on that of the other.
 
     Parameters
     ----------
@@ -51,15 +54,15 @@ def better_pose(
     middle = some.moving.mean(axis=0)
     spread = some.moving - middle
     axes = eigen(moments(spread, np.ones(len(spread))))[1]
+    there = applied(motion, middle[None, :])[0]
     found = []
-    for axis in axes.T:
-        half_turn = np.eye(4)
-        half_turn[:3, :3] = 2.0 * axis[:, None] * axis[None, :] - np.eye(3)
-        half_turn[:3, 3] = middle - composed(half_turn[:3, :3], np.diag(middle)).sum(axis=1)
+    for axis, to in product(axes.T, (there, fixed.moving.mean(axis=0))):
+        half_turn = 2.0 * axis[:, None] * axis[None, :] - np.eye(3)
+        start = np.eye(4)
+        start[:3, :3] = composed(motion[:3, :3], half_turn)
+        start[:3, 3] = to - applied(start, middle[None, :])[0]
         try:
-            pose = closest_points(
-                fixed, some, composed(motion, half_turn), _BESIDE, _NEAR, lambda s: silent("", s)
-            )
+            pose = closest_points(fixed, some, start, _BESIDE, _NEAR, lambda s: silent("", s))
         except InputError:  # no partners there
             continue
         other = Better(pose.residual, agreement_of(sides, pose.motion))
