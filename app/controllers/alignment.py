@@ -206,9 +206,7 @@ def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion
     return _motion(found, matrix, method)
 
 
-def _motion(
-    found: "Found", matrix: NDArray[np.float64], method: str, scale: float = 1.0
-) -> Motion:
+def _motion(found: "Found", matrix: NDArray[np.float64], method: str, scale: float = 1.0) -> Motion:
     """Keep what a fit says of itself, its lengths times `scale`."""
     record = found.record()
     lengths = {key: record[key] * scale for key in ("rms_kept", "rms_region", "shifted")}
