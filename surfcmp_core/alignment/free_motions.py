@@ -17,6 +17,8 @@ _FREE = 1e-4
 _AT_MOST = 1e-2
 _OF_NOISE = 0.6
 """So is one of less than this share, and less than this part of what noise makes of normals."""
+_ALONE = 4e-2
+"""Nor may more of it lead along the nodes' own normals: partners may be the wrong ones."""
 _SLIDE = 1e-2
 """Squared turn, over the surface's size, below which a motion is a shift."""
 _ALONG = 0.999
@@ -71,7 +73,8 @@ def free_motions(
     one, other = _along(at, own, unit), _along(at, partners, unit)
     held = (one[:, :, None] * other[:, None, :]).mean(axis=0)
     shares, motions = eigen((held + held.T) / 2.0)
-    free = shares < max(_FREE, min(_AT_MOST, _OF_NOISE * noise))
+    alone = (_product(one, motions) ** 2).mean(axis=0)
+    free = (shares < max(_FREE, min(_AT_MOST, _OF_NOISE * noise))) & (alone < _ALONE)
     return _named(_product(unit, motions[:, free]))
 
 

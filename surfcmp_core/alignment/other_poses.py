@@ -13,7 +13,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import applied, composed, eigen, moments
 from surfcmp_core.progress import silent
 
-_MOVING = 1_000
+_MOVING = 500
 """Nodes that are enough to tell poses from each other."""
 _NEAR = 1e-4
 _BESIDE = 2.0
