@@ -24,6 +24,7 @@ from surfcmp_core.surface import Surface
 from surfcmp_core.together import bring_together, carried
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
+from surfcmp_core.used import UNUSED, used_part
 from surfcmp_core.warming import begin_to_compile
 
 _SQUARABLE = 500
@@ -56,6 +57,11 @@ def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
     return moved(surface, motion)
 
 
+def _unused(surface: Surface) -> list[str]:
+    count = surface.dropped.get(UNUSED)
+    return [f"{count} nodes that no triangle uses are left out"] if count else []
+
+
 def _folding(surface: Surface) -> list[str]:
     share = folded_share(surface)
     return [f"{100.0 * share:.3g} % of the area, seen along z, folds over"] if share else []
@@ -79,6 +85,7 @@ def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
         for surface in (first, second)
         for note in (
             *(f"{count} {what}" for what, count in surface.changed.items()),
+            *_unused(surface),
             *_folding(surface),
         )
     ]
@@ -151,6 +158,8 @@ def compare(
     """
     progress = _explained(progress)
     clock = Clock(progress, read_seconds)
+    with clock.stage("triangulate"):
+        surface_1, surface_2 = both(used_part, surface_1, surface_2, threads)
     together = bring_together(surface_1, surface_2)
     first = together.surfaces[0]
     change = first.scale / surface_1.scale, first.turned != surface_1.turned

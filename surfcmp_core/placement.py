@@ -1,6 +1,6 @@
 """From two surfaces as they lie to two that can be compared along one view."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -17,6 +17,7 @@ from surfcmp_core.projection import (
 )
 from surfcmp_core.surface import Surface
 from surfcmp_core.together import check_together
+from surfcmp_core.used import UNUSED, nodes_in_use, used_part
 
 View = Literal["auto"] | tuple[float, float, float]
 """The direction towards the viewer; "auto": the one that shows most of both surfaces."""
@@ -46,7 +47,8 @@ class Placement:
         """How much of each surface is left out, where it is more than nothing."""
         result = []
         for surface, removed in zip(self.surfaces, self.removed, strict=True):
-            lost, nodes = sum(removed.area.values()), sum(removed.nodes.values())
+            lost = sum(removed.area.values())
+            nodes = sum(count for why, count in removed.nodes.items() if why != UNUSED)
             if lost > 0:
                 share = f"{100 * lost / (lost + removed.area_kept):.3g} % of its area"
                 result.append(f"{surface.name}: {share} is not seen in this view and is left out")
@@ -92,9 +94,9 @@ def look_at(surface: Surface, view: View = "auto") -> Sight:
     InputError
         The surface shows nothing in this view, or no view can be found.
     """
-    surface = wound_alike(surface)
-    motion = frame(viewing_direction(surface) if view == "auto" else view)
-    return Sight(*schlicht_part(moved(surface, motion)), motion)
+    used = wound_alike(used_part(surface))
+    motion = frame(viewing_direction(used) if view == "auto" else view)
+    return Sight(*_seen(used, motion, surface), motion)
 
 
 def place(
@@ -121,10 +123,25 @@ def place(
         Unlike units or axes; a surface shows nothing in this view, or no view can be found.
     """
     check_together(surface_1, surface_2)
-    surface_1, surface_2 = wound_alike(surface_1), wound_alike(surface_2)
-    second = surface_2 if align is None else moved(surface_2, align)
-    turn = frame(viewing_direction(surface_1, second) if view == "auto" else view)
+    used_1, used_2 = (wound_alike(used_part(one)) for one in (surface_1, surface_2))
+    second = used_2 if align is None else moved(used_2, align)
+    turn = frame(viewing_direction(used_1, second) if view == "auto" else view)
     motions = (turn, turn if align is None else composed(turn, align))
-    part_1, removed_1 = schlicht_part(moved(surface_1, motions[0]))
-    part_2, removed_2 = schlicht_part(moved(surface_2, motions[1]))
+    part_1, removed_1 = _seen(used_1, motions[0], surface_1)
+    part_2, removed_2 = _seen(used_2, motions[1], surface_2)
     return Placement((part_1, part_2), (removed_1, removed_2), motions)
+
+
+def _seen(used: Surface, motion: NDArray[np.float64], whole: Surface) -> tuple[Surface, Removed]:
+    """Keep what is seen of a surface's used part; what is not, in the whole surface's numbers."""
+    part, removed = schlicht_part(moved(used, motion))
+    lost = len(whole.points) - len(used.points)
+    if not lost:
+        return part, removed
+    number = nodes_in_use(whole)
+    return part, replace(
+        removed,
+        faces=number[removed.faces].astype(np.int32),
+        kept=number[removed.kept],
+        nodes={UNUSED: lost, **removed.nodes},
+    )

@@ -15,7 +15,8 @@ class Surface:
     Attributes
     ----------
     points : (n, 3) float64
-        x, y, z of each node, in `unit`. All finite.
+        x, y, z of each node, in `unit`. Finite, but for nodes of a mesh that no triangle uses:
+        those are no part of the surface (:mod:`surfcmp_core.used`).
     faces : (m, 3) int32 or None
         The model's own triangles, as node numbers; None for a cloud.
     name : str

@@ -18,6 +18,7 @@ from surfcmp_core.report import make_document
 from surfcmp_core.report.document import Document
 from surfcmp_core.surface import Surface
 from surfcmp_core.together import bring_together, carried
+from surfcmp_core.used import used_part
 
 if TYPE_CHECKING:
     from surfcmp_core.alignment import Record
@@ -105,7 +106,7 @@ def compare_surfaces(
     from surfcmp_core.cli.weight import read_weight
     from surfcmp_core.compare import compare
 
-    together = bring_together(*surfaces)
+    together = bring_together(used_part(surfaces[0]), used_part(surfaces[1]))
     surfaces, warnings = together.surfaces, together.warnings
     motion, alignment = _alignment(surfaces, settings.align, progress)
     warnings += tuple(f"--align icp: {doubt}" for doubt in alignment["doubts"])

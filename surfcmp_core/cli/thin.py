@@ -40,6 +40,7 @@ def command(
     from surfcmp_core.report.outputs import check_outputs
     from surfcmp_core.system.whole_files import OutputError, write_all
     from surfcmp_core.thinning import thin_random, thin_to_spacing
+    from surfcmp_core.used import without_unused
 
     if (keep is None) == (spacing is None):
         raise WrongUsage("thin: one of --keep and --spacing is needed")
@@ -53,7 +54,7 @@ def command(
         check_outputs([out], [file], CLOUD_WRITERS)
     except OutputError as fault:
         raise WrongUsage(f"--out {fault}") from None
-    surface = read_surface(file, unit=unit)
+    surface = without_unused(read_surface(file, unit=unit))
     if keep is not None:
         thinned = thin_random(surface, keep, seed=seed)
     else:

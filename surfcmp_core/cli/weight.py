@@ -17,7 +17,7 @@ def read_weight(path: Path, duplicates: Duplicates = "refuse") -> Weight:
     ----------
     path
         Any readable surface file; x, y in the comparison's plane and unit, whatever unit the file
-        states. Its own triangles, if any, are not used.
+        states. Its own triangles, if any, only tell which of its nodes count.
     duplicates
         What to do with different weights at one place.
 
@@ -37,8 +37,10 @@ def read_weight(path: Path, duplicates: Duplicates = "refuse") -> Weight:
     from surfcmp_core.io import read_surface
     from surfcmp_core.localisation import locate_along_tree
     from surfcmp_core.triangulation import triangulate
+    from surfcmp_core.used import without_unused
 
-    grid = grid_of(read_surface(path, unit="mm"), duplicates=duplicates)  # mm: nothing converted
+    surface = without_unused(read_surface(path, unit="mm"))  # mm: nothing converted
+    grid = grid_of(surface, duplicates=duplicates)
     if (grid.z < 0).any():
         raise InputError(f"{path}: {int((grid.z < 0).sum())} weights are below zero")
     scale = safe_scale(grid.nodes)

@@ -11,6 +11,7 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.units import unit_named
 
@@ -38,7 +39,7 @@ def read_npz(data: bytes) -> Raw:
         for key in ("unit", "meta"):
             with suppress(KeyError, InputError):  # of any shape; not what was asked for
                 found[key] = _array(archive.read(arrays[key]), key)
-    polygons = []
+    polygons: Polygons = []
     if (faces := found.get("faces")) is not None:
         if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
             raise InputError(f"faces must be (m, 3) whole numbers, not {_describe(faces)}")

@@ -4,6 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
+from surfcmp_core.surface import Surface
+from surfcmp_core.used import without_unused
 
 _BLOCK = 4096
 
@@ -20,22 +22,47 @@ def check_nodes(points: NDArray[np.float64]) -> None:
     InputError
         It says what is wrong and with how many.
     """
-    finite = np.isfinite(points).all(axis=1)
-    if not finite.all():
+    if not np.isfinite(points).all():
+        finite = np.isfinite(points).all(axis=1)
         raise InputError(
             f"{len(points) - int(finite.sum())} of {len(points)} nodes have coordinates that are "
             "not finite"
         )
     if len(points) < 3:
         raise InputError(f"it holds {len(points)} nodes; three or more are needed")
-    other = (points != points[0]).any(axis=1)
-    if not other.any():
+    second = None
+    for first in range(0, len(points), _BLOCK):
+        other = (points[first : first + _BLOCK] != points[0]).any(axis=1)
+        if other.any():
+            second = points[first + np.argmax(other)]
+            break
+    if second is None:
         raise InputError(f"all {len(points)} nodes are at one place")
-    second = points[np.argmax(other)]
     for first in range(0, len(points), _BLOCK):
         if not _on_line(points[0], second, points[first : first + _BLOCK]):
             return
     raise InputError(f"all {len(points)} nodes are on one line")
+
+
+def check_surface(points: NDArray[np.float64], faces: NDArray[np.int32] | None) -> None:
+    """Refuse a surface whose nodes :func:`check_nodes` refuses; of a mesh, those of its triangles.
+
+    Parameters
+    ----------
+    points : (n, 3) float64
+    faces : (m, 3) int32 or None
+        Numbers of nodes that are there.
+
+    Raises
+    ------
+    InputError
+        It says what is wrong and with how many.
+    """
+    if faces is not None:
+        a, b, *_ = some = points[faces[:_BLOCK].ravel()]
+        if np.isfinite(points).all() and not _on_line(a, b, some):
+            return  # the short way, of nearly all
+    check_nodes(without_unused(Surface(points, faces)).points)
 
 
 def _on_line(a: NDArray[np.float64], b: NDArray[np.float64], points: NDArray[np.float64]) -> bool:

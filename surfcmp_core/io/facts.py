@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfcmp_core.surface import Surface
+from surfcmp_core.used import used_part
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,11 +16,12 @@ class Facts:
     kind: str
     """``"mesh"`` or ``"cloud"``."""
     nodes: int
+    """All of the file, those that `dropped` counts too."""
     triangles: int
     low: tuple[float, float, float]
-    """Least x, y, z, in `unit`."""
+    """Least x, y, z of the surface, in `unit`."""
     high: tuple[float, float, float]
-    """Greatest x, y, z, in `unit`."""
+    """Greatest x, y, z of the surface, in `unit`."""
     unit: str | None
     sha256: str
     dropped: dict[str, int]
@@ -48,13 +50,15 @@ def facts_of(surface: Surface) -> Facts:
     -------
     Facts
     """
+    nodes = len(surface.points)
+    surface = used_part(surface)
     points = surface.points
     repeated, contradicting = _duplicates(surface)
     low, high = points.min(axis=0), points.max(axis=0)
     return Facts(
         name=surface.name,
         kind=surface.kind,
-        nodes=len(points),
+        nodes=nodes,
         triangles=0 if surface.faces is None else len(surface.faces),
         low=(float(low[0]), float(low[1]), float(low[2])),
         high=(float(high[0]), float(high[1]), float(high[2])),

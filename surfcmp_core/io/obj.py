@@ -1,12 +1,21 @@
-"""Read .obj: its nodes, in their order, and its polygons; all else is ignored."""
+"""Read .obj: its nodes, in their order, and its polygons; textures, groups and lines are ignored.
+
+Ours, for a library parts nodes at the seams of textures, loses those of clouds, and hides what it
+did not understand.
+"""
 
 import re
 from collections import defaultdict
 
 import numpy as np
 
+from surfcmp_core.errors import InputError
+from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.text import decode, table
+
+_FREE_FORM = re.compile(r"^[ \t]*(cstype|surf|curv2?|bzp|bsp|cdp)\b", re.MULTILINE)
+"""Statements of free-form surfaces and curves, also those of the format's second version."""
 
 
 def read_obj(data: bytes) -> Raw:
@@ -14,6 +23,11 @@ def read_obj(data: bytes) -> Raw:
     text = decode(data)
     if "\\\n" in text:
         text = text.replace("\\\n", " ")
+    if found := _FREE_FORM.search(text):
+        raise InputError(
+            f"it holds a free-form surface ({found[1]!r}), which is not read; its control nodes "
+            "do not lie on it"
+        )
     nodes: list[str] = []
     faces: list[str] = []
     before: list[int] = []  # nodes defined before each face
@@ -38,7 +52,7 @@ def read_obj(data: bytes) -> Raw:
         rows, defineds = groups[len(row.split())]
         rows.append(row)
         defineds.append(defined)
-    polygons = []
+    polygons: Polygons = []
     for columns, (rows, defineds) in groups.items():
         corners = table(rows, range(1, columns), np.int64)
         counted_back = corners < 0

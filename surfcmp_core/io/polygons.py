@@ -1,4 +1,4 @@
-"""Polygons of any size, as files hold them, and the triangles made of them."""
+"""Polygons of any size, as files hold them."""
 
 from collections import defaultdict
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.text import quoted, table
 
-Polygons = list[NDArray[np.int64]]
+Polygons = list[NDArray[np.integer]]
 """Grouped by size: each (k, c) node numbers, k polygons of c corners."""
 
 
@@ -49,7 +49,7 @@ def from_rows(rows: Sequence[str], skip: int = 0) -> Polygons:
     for row in rows:
         columns = row.split(maxsplit=skip + 1)
         groups[columns[skip] if len(columns) > skip else ""].append(row)
-    polygons = []
+    polygons: Polygons = []
     for size, group in groups.items():
         if not (size.isascii() and size.isdecimal()) or int(size[:18]) > len(group[0]):
             raise InputError(f"a polygon expected in the row {quoted(group[0])}")
@@ -61,50 +61,8 @@ def from_strips(strips: Polygons) -> Polygons:
     """Triangles of triangle strips, each turned as the first of its strip."""
     triangles = []
     for group in strips:
-        for i in range(group.shape[1] - 2):
-            corners = (i, i + 1, i + 2) if i % 2 == 0 else (i + 1, i, i + 2)
-            triangles.append(group[:, corners])
+        if group.shape[1] > 2:
+            three = np.stack((group[:, :-2], group[:, 1:-1], group[:, 2:]), axis=2)
+            three[:, 1::2, :2] = three[:, 1::2, 1::-1].copy()
+            triangles.append(three.reshape(-1, 3))
     return triangles
-
-
-def triangulate(polygons: Polygons, nodes: int) -> tuple[NDArray[np.int32] | None, dict[str, int]]:
-    """Fan every polygon from its first corner.
-
-    Parameters
-    ----------
-    polygons : list of (k, c) int64
-    nodes : int
-        How many nodes there are.
-
-    Returns
-    -------
-    faces : (m, 3) int32 or None
-        None where no triangle is left.
-    changed : dict of str to int
-        Polygons split and faces left out, counted by reason.
-
-    Raises
-    ------
-    InputError
-        Where a corner names a node that is not there.
-    """
-    changed = {"faces with fewer than three corners": 0, "polygons split into triangles": 0}
-    fans = []
-    for group in polygons:
-        if group.size == 0 or group.shape[1] < 3:
-            changed["faces with fewer than three corners"] += len(group)
-            continue
-        low, high = int(group.min()), int(group.max())
-        if low < 0 or high >= nodes:
-            odd = low if low < 0 else high
-            raise InputError(f"a face names node {odd}, but the nodes are 0 to {nodes - 1}")
-        if group.shape[1] > 3:
-            changed["polygons split into triangles"] += len(group)
-        fans += [group[:, (0, i, i + 1)] for i in range(1, group.shape[1] - 1)]
-    faces = np.concatenate(fans).astype(np.int32) if fans else np.empty((0, 3), np.int32)
-    a, b, c = faces.T
-    flat = (a == b) | (b == c) | (c == a)
-    changed["faces that name a node twice"] = int(flat.sum())
-    if changed["faces that name a node twice"]:
-        faces = faces[~flat]
-    return faces if len(faces) else None, {why: count for why, count in changed.items() if count}

@@ -12,7 +12,7 @@ class Raw:
 
     points: NDArray[np.float64]
     """(n, 3) x, y, z."""
-    polygons: list[NDArray[np.int64]] = field(default_factory=list)
+    polygons: list[NDArray[np.integer]] = field(default_factory=list)
     """Polygons grouped by size: each (k, c) node numbers, k polygons of c corners."""
     comments: tuple[str, ...] = ()
     """Lines of comment, which may state a unit and axes."""

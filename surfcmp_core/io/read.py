@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,16 +10,17 @@ import numpy as np
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.arrays import read_npy, read_npz
-from surfcmp_core.io.checks import check_nodes
+from surfcmp_core.io.checks import check_surface
 from surfcmp_core.io.columns import read_columns
 from surfcmp_core.io.las import read_las
 from surfcmp_core.io.obj import read_obj
 from surfcmp_core.io.off import read_off
 from surfcmp_core.io.ply import read_ply
-from surfcmp_core.io.polygons import triangulate
 from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.sniff import looks_like
 from surfcmp_core.io.space import stated_space
 from surfcmp_core.io.stl import read_stl
+from surfcmp_core.io.triangles import triangulate
 from surfcmp_core.io.units import stated_unit
 from surfcmp_core.io.vtk import read_vtk
 from surfcmp_core.io.vtp import read_vtp
@@ -46,7 +48,7 @@ READERS: dict[str, Callable[[bytes], Raw]] = {
 def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
     """Read a cloud or a mesh.
 
-    A file with triangles is a mesh, else a cloud; polygons are fanned into triangles. Every node
+    A file with triangles is a mesh, else a cloud; polygons are split into triangles. Every node
     of the file is kept, in float64 and in the file's order, but for .stl, whose equal corners
     become one node. A unit given is converted to mm, and so is one that a comment of a .ply,
     .obj, .off, .stl or .vtk states (``unit cm``, ``1 unit = 1000 mm``); the others, which may be
@@ -74,30 +76,40 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
     path = Path(path)
     if unit is not None and unit not in UNITS:
         raise ValueError(f"unknown unit {unit!r}: {', '.join(UNITS)} are known")
+    data = b""
     try:
         data = _bytes(path)
-        with np.errstate(all="ignore"):  # what overflows is found not finite below
-            raw = READERS[path.suffix.lower()](data)
-            surface = _told(Surface(np.ascontiguousarray(raw.points, np.float64)), raw, unit)
-        check_nodes(surface.points)
-        faces, changed = triangulate(raw.polygons, len(surface.points))
+        with ThreadPoolExecutor(1) as beside, np.errstate(all="ignore"):
+            sha256 = beside.submit(_sha256, data)
+            surface = _surface(READERS[path.suffix.lower()](data), unit)
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError(f"{path}: {error}{_mistaken(path, data)}") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except Exception as error:  # what damage makes a reader meet is not foreseeable
         told = " ".join(str(error).split())[:120]
-        raise InputError(f"{path}: damaged or not a {path.suffix} file ({told})") from error
+        fault = f"damaged or not a {path.suffix} file ({told})"
+        raise InputError(f"{path}: {fault}{_mistaken(path, data)}") from error
+    return replace(surface, name=path.name, path=path, sha256=sha256.result())
 
-    return replace(
-        surface,
-        faces=faces,
-        name=path.name,
-        path=path,
-        sha256=hashlib.sha256(data).hexdigest(),
-        dropped=raw.dropped,
-        changed={**raw.changed, **changed, **surface.changed},
-    )
+
+def _surface(raw: Raw, unit: str | None) -> Surface:
+    surface = _told(Surface(np.ascontiguousarray(raw.points, np.float64)), raw, unit)
+    faces, changed = triangulate(raw.polygons, surface.points)
+    check_surface(surface.points, faces)
+    changed = {**raw.changed, **changed, **surface.changed}
+    return replace(surface, faces=faces, dropped=raw.dropped, changed=changed)
+
+
+def _mistaken(path: Path, data: bytes) -> str:
+    """Say what a file that could not be read looks like, where that is not what its name says."""
+    like = looks_like(data)
+    own = path.suffix.lower()
+    return "" if like is None or own in like else f"; it looks like {like}"
+
+
+def _sha256(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
 
 
 def _told(surface: Surface, raw: Raw, unit: str | None) -> Surface:

@@ -11,9 +11,12 @@ from surfcmp_core.io.text import decode, quoted
 _TYPES = {
     "char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2", "int": "i4",
     "unsigned_int": "u4", "long": "i8", "unsigned_long": "u8", "float": "f4", "double": "f8",
-    "vtktypeint32": "i4", "vtktypeint64": "i8",
+    "signed_char": "i1", "vtktypeint8": "i1", "vtktypeuint8": "u1", "vtktypeint16": "i2",
+    "vtktypeuint16": "u2", "vtktypeint32": "i4", "vtktypeuint32": "u4", "vtktypeint64": "i8",
+    "vtktypeuint64": "u8", "long_long": "i8", "unsigned_long_long": "u8",
     "vtkidtype": "i4",  # whatever its size in memory
 }  # fmt: skip
+_STRINGS = ("string", "utf8_string", "unicode_string")
 _POINT_CELLS, _STRIP, _PIXEL = (1, 2, 3, 4), 6, 8
 _POLYGONS = (5, 7, 9)  # triangle, polygon, quadrilateral
 
@@ -111,20 +114,26 @@ class _Cursor:
         kind = np.dtype(_TYPES.get(type_name.lower(), "V")).newbyteorder(">")
         if kind.itemsize == 0:
             raise InputError(f"its type is unknown: {quoted(type_name)}")
-        room = len(self.data) - self.at
-        if count * (kind.itemsize if self.binary else 2) > room + 1:
+        if not self.binary:
+            words = self.words(count)
+        elif count * kind.itemsize > len(self.data) - self.at:
             raise InputError(f"{count} numbers declared, more than the file has room for")
-        if self.binary:
+        else:
             values = np.frombuffer(self.data, kind, count, self.at)
             self.at += values.nbytes
             return values
+        if kind.kind == "f":
+            return np.fromiter(map(float, words), np.float64, count)
+        return np.fromiter(map(int, words), np.int64, count)
+
+    def words(self, count: int) -> list[bytes]:
+        if 2 * count > len(self.data) - self.at + 1:
+            raise InputError(f"{count} numbers declared, more than the file has room for")
         words = self.data[self.at :].split(None, count)
         self.at = len(self.data) - (len(words.pop()) if len(words) > count else 0)
         if len(words) < count:
             raise InputError(f"{count} numbers declared, {len(words)} found")
-        if kind.kind == "f":
-            return np.fromiter(map(float, words), np.float64, count)
-        return np.fromiter(map(int, words), np.int64, count)
+        return words
 
     def ranges(
         self, count: str, size: str
@@ -143,9 +152,37 @@ class _Cursor:
         return corners, offsets[:-1], offsets[1:]
 
     def skip_arrays(self, count: int) -> None:
+        """Pass the arrays of a field, of whatever type: nothing in them is looked for."""
         for _ in range(count):
             match self.line():
                 case [_, components, tuples, kind]:
-                    self.numbers(_count(components) * _count(tuples), kind)
+                    self.skip(_count(components) * _count(tuples), kind.lower())
                 case words:
                     raise InputError(f"not understood: {quoted(' '.join(words))}")
+
+    def skip(self, count: int, kind: str) -> None:
+        if kind == "variant" or (kind in _STRINGS and not self.binary):  # one a line, of any words
+            self._check_room(count)
+            for _ in range(count):
+                self.raw_line()
+        elif not self.binary:
+            self.words(count)
+        elif kind in _STRINGS:
+            self._check_room(count)
+            for _ in range(count):
+                self.skip_string()
+        elif kind == "bit":
+            self.numbers(-(-count // 8), "char")
+        else:
+            self.numbers(count, kind)
+
+    def skip_string(self) -> None:
+        """Pass one string; the first two bits say how many bytes hold its length."""
+        size = {3: 1, 2: 2, 1: 4, 0: 8}[self.data[self.at] >> 6]
+        length = int.from_bytes(self.data[self.at : self.at + size], "big")
+        self.at += size + (length & ((1 << (8 * size - 2)) - 1))
+        self._check_room(0)
+
+    def _check_room(self, octets: int) -> None:
+        if octets > len(self.data) - self.at + 1:
+            raise InputError(f"{octets} values declared, more than the file has room for")

@@ -26,10 +26,6 @@ class Fate(IntEnum):
         return self.name.lower().replace("_", "-")
 
 
-UNUSED = "unused"
-"""Reason of a mesh's nodes that no triangle uses."""
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Removed:
     """The parts of one surface that its one-valued part lacks.

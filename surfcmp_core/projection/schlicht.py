@@ -15,8 +15,9 @@ from surfcmp_core.projection.cells import cells_over
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.overlap import hide
 from surfcmp_core.projection.places import same_place
-from surfcmp_core.projection.removed import UNUSED, Fate, Removed
+from surfcmp_core.projection.removed import Fate, Removed
 from surfcmp_core.surface import Surface
+from surfcmp_core.used import UNUSED
 
 _KEPT, _HIDDEN = int(Fate.KEPT), int(Fate.HIDDEN)
 _DEGENERATE, _BACK_FACING = int(Fate.DEGENERATE), int(Fate.BACK_FACING)

@@ -17,7 +17,7 @@ ORDER = (
     {"errors", "progress", "surface", "names", "_cache"},
     {"kernel", "system", "units"},
     {"together"},
-    {"linear_algebra", "predicates", "stack"},
+    {"linear_algebra", "predicates", "stack", "used"},
     {"grid", "io", "thinning"},
     {"triangulation", "projection", "samples"},
     {"alignment", "placement"},

@@ -17,7 +17,7 @@ PROJECT = Path(__file__).parents[2]
 
 def test_info_tells_what_a_file_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "fold.off"
-    file.write_text("OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 1\n0 4 1\n4 4 2\n3 0 1 2\n3 0 2 3\n3 0 3 1\n")
+    file.write_text("OFF\n5 3 0\n0 0 0\n4 0 0\n4 4 1\n0 4 1\n4 4 2\n3 0 1 2\n3 0 2 3\n3 0 3 4\n")
     assert main(["info", str(file)]) == 0
     said = capsys.readouterr()
     assert said.err == ""

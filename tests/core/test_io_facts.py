@@ -55,7 +55,7 @@ def test_duplicates(points: NDArray[np.float64]):
 def test_folding_is_the_smaller_side_by_projected_area():
     points = np.array([[0, 0, 0], [4, 0, 0], [4, 1, 0], [0, 1, 0], [2, 5, 9], [2, 0, 7]], float)
     up = np.array([[0, 1, 2], [0, 2, 3]], np.int32)  # area 4
-    over = np.array([[1, 0, 5], [0, 2, 1]], np.int32)  # upright: no area; turned over: 2
+    over = np.array([[1, 0, 5], [0, 3, 1]], np.int32)  # upright: no area; turned over: 2
     surface = Surface(points, np.vstack((up, over)))
     assert facts_of(surface).folded == 1 / 3
     assert facts_of(replace(surface, faces=surface.faces[:, ::-1])).folded == 1 / 3
