@@ -181,9 +181,9 @@ def _writer(path: Path, done: list[Document]) -> Any:
             (list(one["measures"]["within_tolerance"]) for one in done if "error" not in one), []
         )
         table = csv.writer(text, lineterminator="\n")
-        table.writerow(
-            ["file_1", "file_2", *keys, *(f"within_{t}" for t in tolerances), "warnings", "error"]
-        )
+        within_keys = [f"within_{t}" for t in tolerances]
+        last = ["unit", "warnings", "error"]
+        table.writerow(["file_1", "file_2", *keys, *within_keys, *last])
         for one in done:
             measures = one.get("measures", {})
             within = measures.get("within_tolerance", {})
@@ -191,6 +191,7 @@ def _writer(path: Path, done: list[Document]) -> Any:
                 [one["inputs"][0]["file"], one["inputs"][1]["file"]]
                 + [measures.get(key) for key in keys]
                 + [within.get(t) for t in tolerances]
+                + [one.get("options", {}).get("unit", "")]
                 + ["; ".join(one.get("warnings", ())), one.get("error", "")]
             )
         text.detach()

@@ -52,6 +52,7 @@ def fact_rows(facts: Facts) -> list[tuple[str, str]]:
             for axis, low, high in zip("xyz", facts.low, facts.high, strict=True)
         ),
         ("unit", facts.unit or "not stated (mm is assumed)"),
+        *([("axes", facts.space)] if facts.space else []),
         ("one-valued", _one_valued(facts)),
         ("repeated nodes", thousands(facts.repeated)),
         *((reason, thousands(count)) for reason, count in (facts.dropped | facts.changed).items()),

@@ -62,7 +62,7 @@ ProjectOption = Annotated[
     typer.Option(
         "--project",
         metavar="auto|z|view:X,Y,Z",
-        help="Look along z, along the direction that shows most, or along X, Y, Z.",
+        help="Look along z, along the direction that shows most, or along X, Y, Z of A's file.",
     ),
 ]
 ThreadsOption = Annotated[int, typer.Option("--threads", metavar="N", min=1, help="Threads.")]

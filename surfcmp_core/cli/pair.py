@@ -119,7 +119,10 @@ def compare_surfaces(
     if settings.project != "z":
         from surfcmp_core.placement import place
 
-        view: View = "auto" if settings.project == "auto" else view_of(settings.project)
+        view: View = "auto"
+        if settings.project != "auto":
+            x, y, z = view_of(settings.project)
+            view = (-x, -y, z) if surfaces[0].turned else (x, y, z)
         placement = place(*surfaces, view, motion)
         warnings += placement.warnings
         asked["view"] = placement.motions[0][2, :3].tolist()

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.text import quoted
 from surfcmp_core.io.units import unit_named
 
 
@@ -22,7 +23,10 @@ def read_npy(data: bytes) -> Raw:
 
 
 def read_npz(data: bytes) -> Raw:
-    """`points` (n, 3), optionally `faces` (m, 3), and a unit in `unit` or in the JSON of `meta`."""
+    """`points` (n, 3), optionally `faces` (m, 3).
+
+    A unit may stand in `unit` or in the JSON of `meta`, the name of its axes in `space`.
+    """
     try:
         archive = zipfile.ZipFile(BytesIO(data))
     except zipfile.BadZipFile:
@@ -36,7 +40,7 @@ def read_npz(data: bytes) -> Raw:
             for key in ("points", "faces")
             if key in arrays
         }
-        for key in ("unit", "meta"):
+        for key in ("unit", "meta", "space"):
             with suppress(KeyError, InputError):  # of any shape; not what was asked for
                 found[key] = _array(archive.read(arrays[key]), key)
     polygons: Polygons = []
@@ -44,7 +48,16 @@ def read_npz(data: bytes) -> Raw:
         if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
             raise InputError(f"faces must be (m, 3) whole numbers, not {_describe(faces)}")
         polygons = [faces.astype(np.int64)]
-    return Raw(_points(found["points"]), polygons, unit=_unit(found))
+    stated = _stated_unit(found)
+    unit = unit_named(stated)
+    odd = f"statement of a unit that is not understood: {quoted(stated)}"
+    return Raw(
+        _points(found["points"]),
+        polygons,
+        (f"SPACE={found['space']}",) if "space" in found else (),
+        unit,
+        changed={odd: 1} if stated and unit is None else {},
+    )
 
 
 def _array(data: bytes, key: str) -> NDArray[Any]:
@@ -74,11 +87,11 @@ def _describe(array: NDArray[Any]) -> str:
     return f"{array.shape} {array.dtype}"
 
 
-def _unit(found: dict[str, NDArray[Any]]) -> str | None:
+def _stated_unit(found: dict[str, NDArray[Any]]) -> str:
     if "unit" in found:
-        return unit_named(str(found["unit"]))
+        return str(found["unit"])
     try:
         meta = json.loads(str(found["meta"]))
-        return unit_named(str(meta.get("unit", meta.get("units", ""))))
+        return str(meta.get("unit", meta.get("units", "")))
     except (KeyError, ValueError, AttributeError):
-        return None
+        return ""

@@ -12,7 +12,7 @@ def _write_ply(surface: Surface, stream: BinaryIO) -> None:
     header = [
         "ply",
         "format binary_little_endian 1.0",
-        *([f"comment unit {surface.unit}"] if surface.unit else []),
+        *(f"comment {statement}" for statement in _statements(surface)),
         f"element vertex {len(surface.points)}",
         *(f"property double {axis}" for axis in "xyz"),
         "end_header\n",
@@ -21,14 +21,20 @@ def _write_ply(surface: Surface, stream: BinaryIO) -> None:
     stream.write(surface.points.astype("<f8").tobytes())
 
 
+def _statements(surface: Surface) -> list[str]:
+    unit = [f"unit {surface.unit}"] if surface.unit else []
+    return [*unit, f"SPACE={surface.space}"] if surface.space else unit
+
+
 def _write_npz(surface: Surface, stream: BinaryIO) -> None:
-    stated: dict[str, Any] = {"unit": np.array(surface.unit)} if surface.unit else {}
-    np.savez(stream, points=surface.points, **stated)
+    stated = {"unit": surface.unit, "space": surface.space}
+    arrays: dict[str, Any] = {key: np.array(word) for key, word in stated.items() if word}
+    np.savez(stream, points=surface.points, **arrays)
 
 
 def _write_xyz(surface: Surface, stream: BinaryIO) -> None:
-    if surface.unit:
-        stream.write(f"# unit {surface.unit}\n".encode())
+    for statement in _statements(surface):
+        stream.write(f"# {statement}\n".encode())
     np.savetxt(stream, surface.points, fmt="%.17g")
 
 
@@ -37,4 +43,4 @@ CLOUD_WRITERS: dict[str, Callable[[Surface, BinaryIO], None]] = {
     ".npz": _write_npz,
     ".xyz": _write_xyz,
 }
-"""Writers of a surface's nodes and unit, by the ending of the file's name."""
+"""Writers of a surface's nodes, unit and axes, by the ending of the file's name."""

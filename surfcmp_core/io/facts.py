@@ -23,6 +23,8 @@ class Facts:
     high: tuple[float, float, float]
     """Greatest x, y, z of the surface, in `unit`."""
     unit: str | None
+    space: str | None
+    """Its axes, RAS or LPS, where the file says so."""
     sha256: str
     dropped: dict[str, int]
     changed: dict[str, int]
@@ -63,6 +65,7 @@ def facts_of(surface: Surface) -> Facts:
         low=(float(low[0]), float(low[1]), float(low[2])),
         high=(float(high[0]), float(high[1]), float(high[2])),
         unit=surface.unit,
+        space=surface.space,
         sha256=surface.sha256,
         dropped=dict(surface.dropped),
         changed=dict(surface.changed),

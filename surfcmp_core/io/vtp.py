@@ -4,6 +4,7 @@ import lzma
 import re
 import zlib
 from base64 import b64decode
+from contextlib import suppress
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
@@ -13,12 +14,14 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons, from_ranges, from_strips
 from surfcmp_core.io.raw import Raw
-from surfcmp_core.io.text import quoted
+from surfcmp_core.io.text import decode, quoted
 
 _TYPES = {
     "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
-    "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8",
+    "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8", "String": "u1",
 }  # fmt: skip
+_LONGEST = 300
+"""Bytes of a string that are looked at."""
 _INFLATE = {
     "vtkZLibDataCompressor": lambda block, size: zlib.decompressobj().decompress(block, size),
     "vtkLZMADataCompressor": lambda block, size: lzma.LZMADecompressor().decompress(block, size),
@@ -26,7 +29,7 @@ _INFLATE = {
 
 
 def read_vtp(data: bytes) -> Raw:
-    """Nodes, polygons and strips of all pieces; all else is ignored."""
+    """Nodes, polygons and strips of all pieces, and what strings say of unit and axes."""
     xml, appended, is_base64 = data, b"", False
     if start := re.search(rb"<AppendedData([^>]*)>\s*_", data):
         xml = data[: start.start()] + b"</VTKFile>"
@@ -61,7 +64,20 @@ def read_vtp(data: bytes) -> Raw:
         polygons += [group + before for group in _polygons(piece, "Polys", arrays)]
         strips = from_strips(_polygons(piece, "Strips", arrays))
         polygons += [group + before for group in strips]
-    return Raw(np.concatenate(points), polygons)
+    return Raw(np.concatenate(points), polygons, tuple(_statements(root, arrays)))
+
+
+def _statements(root: ElementTree.Element, arrays: "_Arrays") -> list[str]:
+    """Read the strings of the file, such as SPACE with the value LPS, as comments would say them.
+
+    3D Slicer states the axes so (vtkMRMLModelStorageNode).
+    """
+    found = []
+    for element in root.iterfind(".//FieldData/Array[@type='String']"):
+        with suppress(Exception):  # of whatever kind: nodes and polygons do not need it
+            octets = arrays.read(element).astype(np.uint8).tobytes()
+            found.append(f"{element.get('Name')}={decode(octets[:_LONGEST].rstrip(bytes(1)))}")
+    return found
 
 
 def _polygons(piece: ElementTree.Element, kind: str, arrays: "_Arrays") -> Polygons:

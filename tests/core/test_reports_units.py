@@ -293,6 +293,22 @@ def test_axes_of_a_pair_are_made_one() -> None:
     assert document["transform"] == np.diag([-1.0, -1.0, 1.0, 1.0]).tolist()
 
 
+def test_a_view_is_told_in_the_axes_of_the_first_file(tmp_path: Path) -> None:
+    names = ("slicer_ras.ply", "slicer_lps.ply")
+    views = []
+    for pair, view in ((names, "view:0.5,0.25,1"), (names[::-1], "view:-0.5,-0.25,1")):
+        out = tmp_path / "r.json"
+        arguments = ["compare", *(str(REPORTS / name) for name in pair), "--project", view]
+        assert main([*arguments, "--quiet", "--out", str(out)]) == 0
+        views.append(json.loads(out.read_text(encoding="utf-8"))["options"]["view"])
+    assert views[0] == views[1]  # in the axes of the comparison
+
+
+def test_info_says_the_axes(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["info", str(REPORTS / "slicer_lps.ply")]) == 0
+    assert ["axes", "LPS"] in [row.split() for row in capsys.readouterr().out.splitlines()]
+
+
 def test_equal_axes_stay() -> None:
     ras = read_surface(REPORTS / "slicer_ras.ply")
     assert compare(ras, ras).surfaces[0].points is ras.points
@@ -416,3 +432,46 @@ def test_the_windows_motion_is_in_the_unit_of_the_files(tmp_path: Path) -> None:
     for unit in ("", "cm", "m"):  # what the user says does not move surface 2 anew
         document = Document((one, two), motion=motion, unit=unit)
         assert compared(document, None, silent).comparison.measures.max_abs == pytest.approx(0)
+
+
+@pytest.mark.parametrize("ending", [".ply", ".npz", ".xyz"])
+def test_a_thinned_file_says_what_the_whole_one_says(ending: str, tmp_path: Path) -> None:
+    out = tmp_path / f"thin{ending}"
+    whole = (REPORTS / "slicer_ras.ply").read_bytes().replace(b"SPACE=RAS", b"SPACE=RAS unit=cm")
+    (tmp_path / "a.ply").write_bytes(whole)
+    assert main(["thin", str(tmp_path / "a.ply"), "--keep", "0.8", "--out", str(out)]) == 0
+    thinned = read_surface(out)
+    assert (thinned.unit, thinned.space) == ("mm", "RAS")
+
+
+@pytest.mark.parametrize("mode", ["ascii", "binary", "appended"])
+def test_axes_and_unit_in_the_strings_of_a_vtp(mode: str, tmp_path: Path) -> None:
+    vtk = pytest.importorskip("vtkmodules.all")
+    points = vtk.vtkPoints()
+    for node in files.SQUARE.tolist():
+        points.InsertNextPoint(node)
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    for name, word in (("SPACE", "LPS"), ("Units", "cm"), ("Operator", "unit m")):
+        array = vtk.vtkStringArray()
+        array.SetName(name)
+        array.InsertNextValue(word)
+        data.GetFieldData().AddArray(array)
+    writer = vtk.vtkXMLPolyDataWriter()
+    writer.SetFileName(str(tmp_path / "a.vtp"))
+    writer.SetInputData(data)
+    getattr(writer, f"SetDataModeTo{mode.capitalize()}")()
+    assert writer.Write() == 1
+    surface = read_surface(tmp_path / "a.vtp")
+    assert (surface.unit, surface.space) == ("mm", "LPS")
+    assert np.allclose(surface.points, 10 * files.SQUARE)
+
+
+def test_a_table_of_pairs_says_each_unit(tmp_path: Path) -> None:
+    import csv
+
+    pair = [str(written(tmp_path, "a.xyz", "m", 1.0)), str(written(tmp_path, "b.xyz", "ft", 0.0))]
+    assert main(["batch", *pair, "--quiet", "--out", str(tmp_path / "r.csv")]) == 0
+    with (tmp_path / "r.csv").open(newline="", encoding="utf-8") as stream:
+        [row] = csv.DictReader(stream)
+    assert row["unit"] == "m"
