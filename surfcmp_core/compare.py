@@ -8,10 +8,12 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparison import Comparison, Domain, Options, Weight
 from surfcmp_core.domain import Footprint, Reason, reasons
+from surfcmp_core.domain.layers import MIXED, share_among_layers
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interface import kernels_are_ready
 from surfcmp_core.io.facts import folded_share
+from surfcmp_core.io.no_data import suspected
 from surfcmp_core.linear_algebra import composed, length
 from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
@@ -62,9 +64,42 @@ def _unused(surface: Surface) -> list[str]:
     return [f"{count} nodes that no triangle uses are left out"] if count else []
 
 
+def _changed(surface: Surface) -> dict[str, int]:
+    """Tell what its reader did and saw; of arrays, which none has read, what one would see."""
+    return surface.changed if surface.path else {**surface.changed, **suspected(surface.points)}
+
+
 def _folding(surface: Surface) -> list[str]:
     share = folded_share(surface)
     return [f"{100.0 * share:.3g} % of the area, seen along z, folds over"] if share else []
+
+
+def _layered(share: float) -> list[str]:
+    if share <= MIXED:
+        return []
+    return [
+        f"not one-valued: seen along z, {100.0 * share:.3g} % of its nodes lie among nodes of "
+        "another layer, as where front and back are mixed (--project auto keeps what is seen)"
+    ]
+
+
+def _nothing_common(
+    first: Surface, second: Surface, limits: tuple[float, float], *, derived: bool
+) -> str:
+    """Say that there is nothing to compare, and how far the edges of clouds may reach."""
+    told = [
+        f"{limit:.4g} {surface.unit or ''}".rstrip() + f" ({surface.name})"
+        for surface, limit in zip((first, second), limits, strict=True)
+        if limit < np.inf
+    ]
+    text = f"{first.name} and {second.name}: no common area to compare"
+    if not told:
+        return text
+    how = ", as derived from the spacing of the nodes" if derived else ""
+    return (
+        f"{text}; over edges longer than {' and '.join(told)} a cloud has no data{how}"
+        " (--max-edge says how long they may be)"
+    )
 
 
 def _unlike(first: Surface, second: Surface) -> list[str]:
@@ -79,14 +114,15 @@ def _unlike(first: Surface, second: Surface) -> list[str]:
     ]
 
 
-def _warnings(first: Surface, second: Surface) -> tuple[str, ...]:
+def _warnings(first: Surface, second: Surface, among_layers: Sequence[float]) -> tuple[str, ...]:
     notes = [
         f"{surface.name}: {note}"
-        for surface in (first, second)
+        for surface, share in zip((first, second), among_layers, strict=True)
         for note in (
-            *(f"{count} {what}" for what, count in surface.changed.items()),
+            *(f"{count} {what}" for what, count in _changed(surface).items()),
             *_unused(surface),
             *_folding(surface),
+            *_layered(share),
         )
     ]
     return (*notes, *_unlike(first, second))
@@ -236,6 +272,10 @@ def compare(
         )
 
     with clock.stage("measures", 0.85):
+        among_layers = [
+            share_among_layers(t, grid.z * scale) if grid.faces is None else 0.0
+            for t, grid in zip(triangulations, grids, strict=True)
+        ]
         united = scaled
         if scale != 1.0:
             united = replace(scaled, nodes=scaled.nodes / scale)
@@ -246,7 +286,8 @@ def compare(
         reason = reasons(state_1, state_2, triangle_areas(united.nodes, united.triangles))
         compared = reason == Reason.COMPARED
         if not compared.any():
-            raise InputError(f"{placed[0].name} and {placed[1].name}: no common area to compare")
+            limits = footprint_1.max_edge / scale, footprint_2.max_edge / scale
+            raise InputError(_nothing_common(*placed, limits, derived=max_edge is None))
         node_weight = None
         if weight is not None:
             node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
@@ -303,5 +344,5 @@ def compare(
         None if exact_values is None else exact_values.mean_signed,
         view,
         clock.seconds(),
-        (*together.warnings, *_warnings(*placed)),
+        (*together.warnings, *_warnings(*placed, among_layers)),
     )

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from surfcmp_core.comparison import Comparison, Domain
 from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
+from surfcmp_core.domain.layers import share_among_layers
 from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.grid import Grid, grid_of, safe_scale
 from surfcmp_core.interpolation import interpolate
@@ -63,12 +64,15 @@ class CloudData:
         The same at half of its nodes or more.
     area, hull_area : float
         With data, and of the convex hull, in the plane.
+    among_layers : float
+        Share of its nodes that lie among nodes of another layer.
     """
 
     max_edge: float
     usual_edge: float
     area: float
     hull_area: float
+    among_layers: float
 
 
 def data_of_cloud(cloud: Surface) -> CloudData:
@@ -92,11 +96,15 @@ def data_of_cloud(cloud: Surface) -> CloudData:
     scale = safe_scale(grid.nodes)
     t = triangulate(grid.nodes * scale, name=cloud.name)
     tree = tree_ends(t, spanning_tree(t))
-    usual = float(np.median(limits_of_edges(t.nodes, tree)))
+    usual = float(np.median(limits_of_edges(t, tree)))
     found = footprint_of_cloud(t, tree, None)
     hull = float(triangle_areas(t.nodes, t.triangles).sum())
     return CloudData(
-        found.max_edge / scale, usual / scale, found.area / scale / scale, hull / scale / scale
+        found.max_edge / scale,
+        usual / scale,
+        found.area / scale / scale,
+        hull / scale / scale,
+        share_among_layers(t, grid.z * scale),
     )
 
 

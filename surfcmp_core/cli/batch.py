@@ -17,6 +17,7 @@ from surfcmp_core.cli.options import (
     DuplicatesOption,
     ExactOption,
     MaxEdgeOption,
+    NoDataOption,
     ProjectOption,
     QuietOption,
     ThreadsOption,
@@ -46,6 +47,8 @@ OutOption = Annotated[
 ]
 _KEPT = 10_000_000
 """Nodes of read files that are kept for later pairs."""
+_NOTES = 20
+"""Warnings that are printed."""
 _COLUMNS = ("mean_abs", "p95", "coverage_1", "coverage_2")
 
 
@@ -61,6 +64,7 @@ def command(
     project: ProjectOption = "z",
     duplicates: DuplicatesOption = "refuse",
     unit: UnitOption = None,
+    no_data: NoDataOption = None,
     out: OutOption = None,
     quiet: QuietOption = False,
     threads: ThreadsOption = 2,
@@ -73,6 +77,7 @@ def command(
         tolerances=tuple(tolerance or (0.5, 1.0, 2.0)),
         duplicates=duplicates,
         unit=unit,
+        no_data=tuple(no_data or ()),
         weight=weight,
         align=align,
         project=project,
@@ -134,7 +139,7 @@ def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> lis
             raise InputError(faults[path])
         if path not in surfaces:
             try:
-                surfaces[path] = read(path, settings.unit)
+                surfaces[path] = read(path, settings.unit, settings.no_data)
             except InputError as fault:
                 faults[path] = str(fault)
                 raise
@@ -219,8 +224,19 @@ def _show(done: list[Document]) -> None:
         unit = one["options"]["unit"]
         cells = (with_unit(one["measures"][key], powers[key], unit) for key in _COLUMNS)
         rows.add_row(*names, *(f"{value} {symbol}" for value, symbol in cells))
-    console().print(rows)
+    out = console()
+    out.print(rows)
+    told: dict[str, None] = {}
     for one in done:
-        for doubt in one["alignment"]["doubts"] if "error" not in one else ():
+        doubts = one["alignment"]["doubts"] if "error" not in one else ()
+        for doubt in doubts:
             pair = " and ".join(Path(file["file"]).name for file in one["inputs"])
-            console().print(Text.assemble(("warning: ", "bold yellow"), f"{pair}: {doubt}"))
+            out.print(Text.assemble(("warning: ", "bold yellow"), f"{pair}: {doubt}"))
+        told |= dict.fromkeys(
+            note for note in one.get("warnings", ()) if not note.endswith(tuple(doubts))
+        )
+    notes = list(told)
+    for note in notes[:_NOTES]:
+        out.print(Text.assemble(("warning: ", "bold yellow"), note))
+    if len(notes) > _NOTES:
+        out.print(f"and {len(notes) - _NOTES} warnings more: --out FILE.json has them all")

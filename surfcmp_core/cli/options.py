@@ -42,6 +42,15 @@ UnitOption = Annotated[
         "--unit", help="Unit of the files' coordinates, whatever they say; converted to mm."
     ),
 ]
+NoDataOption = Annotated[
+    list[float] | None,
+    typer.Option(
+        "--no-data",
+        metavar="X",
+        help="Leave out nodes with this value of x, y or z, in the file's unit; nan: all that is "
+        "not finite; repeatable.",
+    ),
+]
 WeightOption = Annotated[
     Path | None,
     typer.Option(

@@ -39,6 +39,7 @@ class Settings:
     align: str
     project: str
     threads: int
+    no_data: tuple[float, ...] = ()
 
     def check(self) -> None:
         """Refuse what no input could make right.
@@ -69,11 +70,11 @@ def view_of(project: str) -> tuple[float, float, float]:
     return x, y, z
 
 
-def read(path: Path, unit: str | None) -> Surface:
+def read(path: Path, unit: str | None, no_data: tuple[float, ...] = ()) -> Surface:
     """Read one surface; `unit` is that of its coordinates, whatever the file says."""
     from surfcmp_core.io import read_surface
 
-    return read_surface(path, unit=unit)
+    return read_surface(path, unit=unit, no_data=no_data)
 
 
 def compare_files(
@@ -88,9 +89,9 @@ def compare_files(
     """
     start = time.perf_counter()
     progress("read", 0.0)
-    surfaces = read(paths[0], settings.unit), read(paths[1], settings.unit)
+    first, second = (read(path, settings.unit, settings.no_data) for path in paths)
     seconds = time.perf_counter() - start
-    return compare_surfaces(surfaces, settings, progress, seconds)
+    return compare_surfaces((first, second), settings, progress, seconds)
 
 
 def compare_surfaces(
@@ -114,6 +115,7 @@ def compare_surfaces(
         "weight": None if settings.weight is None else str(settings.weight),
         "align": _option(settings.align, alignment),
         "project": settings.project,
+        "no_data": list(settings.no_data),
     }
     placement = None
     if settings.project != "z":

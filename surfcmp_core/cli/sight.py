@@ -36,24 +36,28 @@ def sight_rows(surface: Surface) -> Rows:
     return rows
 
 
-def data_rows(surface: Surface) -> Rows:
-    """Return where a cloud has data when nothing says how far its edges may reach."""
+def data_rows(surface: Surface) -> tuple[Rows, float]:
+    """Return where a cloud has data when nothing says how far its edges may reach.
+
+    And what share of its nodes lie among nodes of another layer.
+    """
     if surface.faces is not None:
-        return []
+        return [], 0.0
     from surfcmp_core.side import data_of_cloud
 
     try:
         data = data_of_cloud(surface)
     except InputError as fault:
-        return [("nothing", str(fault))]
+        return [("nothing", str(fault))], 0.0
     unit = "" if surface.unit is None else f" {surface.unit}"
     areas = {"data": data.area, "gaps": data.hull_area - data.area}
     usual, most = figure(data.usual_edge) + unit, figure(data.max_edge) + unit
     grows = "" if usual == most else f", up to {most} where nodes lie far apart"
-    return [
+    rows = [
         ("max-edge", f"{usual}{grows}"),
         ("with data", f"{_area(data.area, surface)}{_share('data', areas)} of the convex hull"),
     ]
+    return rows, data.among_layers
 
 
 def _share(one: str, of: dict[str, int] | dict[str, float]) -> str:

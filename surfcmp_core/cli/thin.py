@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from surfcmp_core.cli.ends import WrongUsage, ending
-from surfcmp_core.cli.options import QuietOption, UnitOption
+from surfcmp_core.cli.options import NoDataOption, QuietOption, UnitOption
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_default=False)]
 OutOption = Annotated[
@@ -32,6 +32,7 @@ def command(
     spacing: SpacingOption = None,
     seed: SeedOption = 0,
     unit: UnitOption = None,
+    no_data: NoDataOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Keep some nodes of a surface, for experiments: a cloud."""
@@ -54,7 +55,7 @@ def command(
         check_outputs([out], [file], CLOUD_WRITERS)
     except OutputError as fault:
         raise WrongUsage(f"--out {fault}") from None
-    surface = without_unused(read_surface(file, unit=unit))
+    surface = without_unused(read_surface(file, unit=unit, no_data=no_data or ()))
     if keep is not None:
         thinned = thin_random(surface, keep, seed=seed)
     else:

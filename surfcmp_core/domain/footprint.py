@@ -220,7 +220,7 @@ def footprint_of_cloud(
     """
     t = triangulation
     n = len(t.nodes)
-    limits = limits_of_edges(t.nodes, tree) if max_edge is None else np.full(n, max_edge)
+    limits = limits_of_edges(t, tree) if max_edge is None else np.full(n, max_edge)
     state = np.empty(len(t.start) // 3, np.uint8)
     area = _keep_short(t.nodes, t.start, t.real, limits, state)
     _flood_outside(t.twin, t.real, state)

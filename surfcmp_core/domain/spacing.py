@@ -3,8 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.domain.scan_lines import distance_of_lines
 from surfcmp_core.kernel import kernel
 from surfcmp_core.linear_algebra import lengths
+from surfcmp_core.triangulation import Triangulation
 
 _STEPS = 6
 """Edges of the tree so many steps from a node tell the spacing around it: fewer are at the mercy
@@ -13,6 +15,9 @@ _USUAL = 0.95
 """Share of the tree's edges that are no gaps."""
 _GAP = 4.0
 """An edge this many times as long as such an edge leads over a gap."""
+_LINES = 2.0
+"""Where there are scan lines, so does one this many times as long as they are apart: between two of
+them edges are shorter, though nodes do not face each other."""
 _WIDEST = 10.0
 """How many times the limit of the whole cloud any local one may be: strays are no surface."""
 
@@ -113,15 +118,17 @@ def spacing_at(
     return spacing
 
 
-def limits_of_edges(nodes: NDArray[np.float64], tree: NDArray[np.int32]) -> NDArray[np.float64]:
+def limits_of_edges(triangulation: Triangulation, tree: NDArray[np.int32]) -> NDArray[np.float64]:
     """Derive how long edges may be at each node before they lead over a gap.
 
     Four times what 95 % of the tree's edges do not exceed, all lengths measured by the spacing
-    around them; and not above ten times what comes out so without regard to place.
+    around them; but twice the distance of scan lines where that is more; and not above ten times
+    what comes out so without regard to place.
 
     Parameters
     ----------
-    nodes : (n, 2) float64
+    triangulation : Triangulation
+        Of the cloud, n nodes.
     tree : (n - 1, 2) int32
         Their minimum spanning tree.
 
@@ -130,10 +137,12 @@ def limits_of_edges(nodes: NDArray[np.float64], tree: NDArray[np.int32]) -> NDAr
     (n,) float64
         Turns with the nodes, scales with them, and does not depend on their order.
     """
+    nodes = triangulation.nodes
     spacing = spacing_at(nodes, tree)
     steps = nodes[tree[:, 0]] - nodes[tree[:, 1]]
     long = lengths(steps)
     around = np.maximum(spacing[tree[:, 0]], spacing[tree[:, 1]])
     factor = _GAP * float(np.quantile(long / around, _USUAL))
+    factor = max(factor, _LINES * distance_of_lines(triangulation, spacing))
     most = _WIDEST * _GAP * float(np.quantile(long, _USUAL))
     return np.asarray(np.minimum(factor * spacing, most))

@@ -26,7 +26,7 @@ def check_nodes(points: NDArray[np.float64]) -> None:
         finite = np.isfinite(points).all(axis=1)
         raise InputError(
             f"{len(points) - int(finite.sum())} of {len(points)} nodes have coordinates that are "
-            "not finite"
+            "not finite (--no-data nan leaves them out)"
         )
     if len(points) < 3:
         raise InputError(f"it holds {len(points)} nodes; three or more are needed")

@@ -1,7 +1,7 @@
 """From a file to a surface: reading, checking, hashing, converting."""
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +13,7 @@ from surfcmp_core.io.arrays import read_npy, read_npz
 from surfcmp_core.io.checks import check_surface
 from surfcmp_core.io.columns import read_columns
 from surfcmp_core.io.las import read_las
+from surfcmp_core.io.no_data import marked
 from surfcmp_core.io.obj import read_obj
 from surfcmp_core.io.off import read_off
 from surfcmp_core.io.ply import read_ply
@@ -45,7 +46,9 @@ READERS: dict[str, Callable[[bytes], Raw]] = {
 """The reader of each ending known."""
 
 
-def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
+def read_surface(
+    path: str | Path, *, unit: str | None = None, no_data: Sequence[float] = ()
+) -> Surface:
     """Read a cloud or a mesh.
 
     A file with triangles is a mesh, else a cloud; polygons are split into triangles. Every node
@@ -62,11 +65,15 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         Its ending, in either case, says the format.
     unit : {"mm", "cm", "m", "um", "in", "ft", "us-ft"}, optional
         Unit of the file's coordinates, whatever the file says.
+    no_data : sequence of float, optional
+        Values of x, y or z, in the file's unit, that mean that there are no data; NaN: all that is
+        not finite. Nodes with such a value, and faces at them, are left out.
 
     Returns
     -------
     Surface
-        With `changed` counting the faces left out or split, and the nodes converted.
+        With `dropped` counting the nodes left out, `changed` the faces left out or split, the
+        nodes converted, and those whose value often means that there are no data.
 
     Raises
     ------
@@ -81,7 +88,7 @@ def read_surface(path: str | Path, *, unit: str | None = None) -> Surface:
         data = _bytes(path)
         with ThreadPoolExecutor(1) as beside, np.errstate(all="ignore"):
             sha256 = beside.submit(_sha256, data)
-            surface = _surface(READERS[path.suffix.lower()](data), unit)
+            surface = _surface(marked(READERS[path.suffix.lower()](data), no_data), unit)
     except InputError as error:
         raise InputError(f"{path}: {error}{_mistaken(path, data)}") from None
     except OSError as error:

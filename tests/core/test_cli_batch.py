@@ -50,9 +50,9 @@ def test_batch_reads_each_file_once_and_can_be_repeated(
 ) -> None:
     from surfcmp_core.cli import batch
 
-    def counted(path: Path, unit: str | None) -> Surface:
+    def counted(path: Path, unit: str | None, no_data: tuple[float, ...]) -> Surface:
         taken.append(path.name)
-        return read_surface(path, unit=unit)
+        return read_surface(path, unit=unit, no_data=no_data)
 
     taken: list[str] = []
     read_surface = surfcmp_core.read_surface
