@@ -97,10 +97,12 @@ def composed(*motions: ArrayLike) -> NDArray[np.float64]:
 
 
 def inverse(motion: ArrayLike) -> NDArray[np.float64]:
-    """Give the inverse of a rigid (4, 4) motion."""
+    """Give the inverse of a (4, 4) motion, be it rigid to some decimals only."""
     matrix = np.asarray(motion, np.float64)
+    x, y, z = matrix[:3, :3].T
     back = np.eye(4)
-    back[:3, :3] = matrix[:3, :3].T
+    back[:3, :3] = np.cross(y, z), np.cross(z, x), np.cross(x, y)
+    back[:3, :3] /= dot(x, back[0, :3])
     back[:3, 3] = -dots(back[:3, :3], matrix[:3, 3])
     return back
 

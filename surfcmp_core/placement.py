@@ -11,7 +11,9 @@ from surfcmp_core.projection import (
     Removed,
     frame,
     moved,
+    rounded_off,
     schlicht_part,
+    seen_from_behind,
     viewing_direction,
     wound_alike,
 )
@@ -21,6 +23,8 @@ from surfcmp_core.used import UNUSED, nodes_in_use, used_part
 
 View = Literal["auto"] | tuple[float, float, float]
 """The direction towards the viewer; "auto": the one that shows most of both surfaces."""
+_BELOW = -0.5
+"""Cosine to the files' +z below which a direction that was found looks from their other side."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,16 +40,19 @@ class Placement:
         What is not seen, and why.
     motions : two (4, 4) float64
         From the coordinates of each surface to the comparison's.
+    sought : bool
+        Whether the direction was found from the surfaces.
     """
 
     surfaces: tuple[Surface, Surface]
     removed: tuple[Removed, Removed]
     motions: tuple[NDArray[np.float64], NDArray[np.float64]]
+    sought: bool = False
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """How much of each surface is left out, where it is more than nothing."""
-        result = []
+        """Which side is looked at, where it is not plain; how much of each surface is left out."""
+        result = self._sides()
         for surface, removed in zip(self.surfaces, self.removed, strict=True):
             lost = sum(removed.area.values())
             nodes = sum(count for why, count in removed.nodes.items() if why != UNUSED)
@@ -55,6 +62,28 @@ class Placement:
             elif nodes:
                 result.append(f"{surface.name}: {nodes} nodes below others are left out")
         return tuple(result)
+
+    def _sides(self) -> list[str]:
+        names = [surface.name for surface in self.surfaces]
+        backs = [k for k in range(2) if self.removed[k].reversed]
+        meshes = [surface.faces is not None for surface in self.surfaces]
+        if len(backs) == 1 and all(meshes):
+            (k,) = backs
+            return [
+                f"{names[k]}: its triangles wind against those of {names[1 - k]}:"
+                " it is looked at from its back; turn them over if that is not meant"
+            ]
+        result = [
+            f"{names[k]}: is looked at from its back, for its triangles wind clockwise in this view"
+            for k in backs
+        ]
+        if self.sought and any(meshes) and self.motions[0][2, 2] < _BELOW:
+            wound = " and ".join(n for n, mesh in zip(names, meshes, strict=True) if mesh)
+            result.append(
+                f"{wound}: seen from the files' +z, triangles wind clockwise, so --project auto"
+                " looks from the other side: signs count towards that viewer"
+            )
+        return result
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +125,8 @@ def look_at(surface: Surface, view: View = "auto") -> Sight:
     """
     used = wound_alike(used_part(surface))
     motion = frame(viewing_direction(used) if view == "auto" else view)
-    return Sight(*_seen(used, motion, surface), motion)
+    room = rounded_off(used, motion)
+    return Sight(*_seen(moved(used, motion), None, room, surface), motion)
 
 
 def place(
@@ -127,14 +157,19 @@ def place(
     second = used_2 if align is None else moved(used_2, align)
     turn = frame(viewing_direction(used_1, second) if view == "auto" else view)
     motions = (turn, turn if align is None else composed(turn, align))
-    part_1, removed_1 = _seen(used_1, motions[0], surface_1)
-    part_2, removed_2 = _seen(used_2, motions[1], surface_2)
-    return Placement((part_1, part_2), (removed_1, removed_2), motions)
+    seen_1, seen_2 = moved(used_1, motions[0]), moved(used_2, motions[1])
+    behind_1, behind_2 = seen_from_behind(seen_1, seen_2)
+    room_1, room_2 = rounded_off(used_1, motions[0]), rounded_off(used_2, motions[1])
+    part_1, removed_1 = _seen(seen_1, behind_1, room_1, surface_1)
+    part_2, removed_2 = _seen(seen_2, behind_2, room_2, surface_2)
+    return Placement((part_1, part_2), (removed_1, removed_2), motions, view == "auto")
 
 
-def _seen(used: Surface, motion: NDArray[np.float64], whole: Surface) -> tuple[Surface, Removed]:
+def _seen(
+    used: Surface, behind: bool | None, room: float, whole: Surface
+) -> tuple[Surface, Removed]:
     """Keep what is seen of a surface's used part; what is not, in the whole surface's numbers."""
-    part, removed = schlicht_part(moved(used, motion))
+    part, removed = schlicht_part(used, behind=behind, room=room)
     lost = len(whole.points) - len(used.points)
     if not lost:
         return part, removed

@@ -1,5 +1,6 @@
 """Moves surface 2 onto surface 1 and keeps account of how."""
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,6 +23,9 @@ from surfcmp_core.together import carried
 if TYPE_CHECKING:
     from app.window import MainWindow
     from surfcmp_core.alignment import Alignment as Found
+
+_DIGITS = 14
+"""Of the tangent by which surface 2 is turned: fewer than libraries differ in."""
 
 
 class Alignment(QObject):
@@ -60,8 +64,10 @@ class Alignment(QObject):
         shown = self._window.session.shown
         if shown is None:
             return
-        to_file = np.linalg.inv(_to_comparison(shown)[surface - 1])
-        place = to_file[:3, :3] @ point + to_file[:3, 3]
+        from surfcmp_core.linear_algebra import applied, inverse
+
+        to_file = inverse(_to_comparison(shown)[surface - 1])
+        place = applied(to_file, point[None])[0]
         found: Point = (float(place[0]), float(place[1]), float(place[2]))
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
         pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
@@ -76,12 +82,13 @@ class Alignment(QObject):
         self._marked = self.pairs
         shown, marks = self._window.session.shown, []
         if shown is not None:
+            from surfcmp_core.linear_algebra import applied
+
             motions = _to_comparison(shown)
             for k, pair in enumerate(self.pairs, 1):
                 for view, point in enumerate((pair.one, pair.two)):
                     if point is not None:
-                        motion = motions[view]
-                        place = motion[:3, :3] @ np.array(point) + motion[:3, 3]
+                        place = applied(motions[view], np.array([point]))[0]
                         marks.append((view, place, str(k)))
         self._window.display.set_landmarks(marks)
         self._window.alignment.show_pairs(self.pairs)
@@ -126,19 +133,21 @@ class Alignment(QObject):
         shown = self._window.session.shown
         if shown is None:
             return
+        from surfcmp_core.linear_algebra import composed, dots, inverse, rotation
+
         frame = _to_comparison(shown)[0]  # axes are those one sees
         turn = np.eye(4)
         if len(axis) == 1:
             turn["xyz".index(axis), 3] = step
         else:
             k = "xyz".index(axis[1])
-            a, b = (k + 1) % 3, (k + 2) % 3
-            c, s = np.cos(np.deg2rad(step)), np.sin(np.deg2rad(step))
-            turn[[a, a, b, b], [a, b, a, b]] = c, -s, s, c
+            half = [1.0, 0.0, 0.0, 0.0]
+            half[k + 1] = round(math.tan(math.radians(step) / 2.0), _DIGITS)
+            turn[:3, :3] = rotation(half)
             centre = shown.content.geometry.origin
-            turn[:3, 3] = centre - turn[:3, :3] @ centre
+            turn[:3, 3] = centre - dots(turn[:3, :3], centre)
         old = np.array(self._window.session.document.motion.matrix)
-        matrix = np.linalg.inv(frame) @ turn @ frame @ old
+        matrix = composed(inverse(frame), turn, frame, old)
         method = self._window.session.document.motion.method
         words = (
             "by hand" if method in {"none", "by hand"} else f"{method.split(',')[0]}, then by hand"
@@ -172,22 +181,25 @@ def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.flo
 
     As file 1 counts: in its unit and axes, as motions are.
     """
-    two = shown.comparison.transform @ shown.comparison.surfaces[0].from_file
-    one = two @ np.linalg.inv(np.array(shown.document.motion.matrix))
-    return one, two
+    from surfcmp_core.linear_algebra import composed
+
+    comparison = shown.comparison
+    from_file = comparison.surfaces[0].from_file
+    return composed(comparison.frame, from_file), composed(comparison.transform, from_file)
 
 
 def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion:
     from surfcmp_core.alignment import best_fit
+    from surfcmp_core.linear_algebra import applied
 
     surfaces = shown.comparison.surfaces
     first = surfaces[0]
     masks: list[NDArray[np.bool_] | None] = [None, None]
     if number is not None:
         region = shown.document.regions[number]
-        for k, to_comparison in enumerate(_to_comparison(shown)):
-            motion = to_comparison @ np.linalg.inv(first.from_file)
-            points = surfaces[k].points @ motion[:3, :3].T + motion[:3, 3]
+        comparison = shown.comparison
+        for k, motion in enumerate((comparison.frame, comparison.transform)):
+            points = applied(motion, surfaces[k].points)
             masks[k] = region_mask(points[:, 0], points[:, 1], region)
     found = best_fit(
         *surfaces,

@@ -23,6 +23,9 @@ from surfcmp_core.comparison import Comparison
 from surfcmp_core.progress import Progress
 from surfcmp_core.surface import Surface
 
+_ASKED = ("weight", "align", "project", "view", "reversed")
+"""Options that the comparison itself does not know."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Compared:
@@ -89,7 +92,7 @@ def _measured_anew(
     from surfcmp_core.report import make_document
 
     kept = before.record["options"]
-    asked = {key: kept[key] for key in ("weight", "align", "project", "view") if key in kept}
+    asked = {key: kept[key] for key in _ASKED if key in kept}
     return comparison, make_document(comparison, asked, before.record["alignment"])
 
 

@@ -90,7 +90,7 @@ def beside(path: NDArray[np.float64], radius: float) -> Covers:
             length = dx * dx + dy * dy
             along = ((x - x0) * dx + (y - y0) * dy) / length if length > 0 else np.zeros(len(x))
             along = np.clip(along, 0.0, 1.0)
-            found |= (x - x0 - along * dx) ** 2 + (y - y0 - along * dy) ** 2 <= radius**2
+            found |= (x - x0 - along * dx) ** 2 + (y - y0 - along * dy) ** 2 <= radius * radius
         return found
 
     return covers

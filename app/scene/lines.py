@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,7 +51,7 @@ def section_line(content: Content, state: ViewState, view: int) -> Segments:
     assert state.section is not None
     x0, y0, x1, y1 = state.section
     profile = profile_of(content.comparison, state.section, content.geometry)
-    share = profile.along / (np.hypot(x1 - x0, y1 - y0) or 1.0)
+    share = profile.along / (math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)) or 1.0)
     z1 = np.where(np.isnan(profile.z1), profile.z2, profile.z1)
     z2 = np.where(np.isnan(profile.z2), profile.z1, profile.z2)
     z = (z1, z2, (z1 + z2) / 2)[min(view, 2)]

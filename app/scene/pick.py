@@ -99,7 +99,7 @@ def point_in_view(
     if place is None:
         return None
     corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
-    return np.asarray(np.array(place.weights) @ corners)
+    return _mixed(np.array(place.weights), corners)
 
 
 def path_in_view(
@@ -152,12 +152,12 @@ def reading_at(comparison: Comparison, place: Place) -> Reading:
     """Return the values at a place of T."""
     nodes = comparison.united.triangles[place.triangle]
     weights = np.array(place.weights)
-    x, y = weights @ comparison.united.nodes[nodes]
+    x, y = _mixed(weights, comparison.united.nodes[nodes])
     return Reading(
         x=float(x),
         y=float(y),
-        z1=float(weights @ comparison.z1[nodes]),
-        z2=float(weights @ comparison.z2[nodes]),
+        z1=float(_mixed(weights, comparison.z1[nodes])),
+        z2=float(_mixed(weights, comparison.z2[nodes])),
         mean_signed=float(comparison.mean_signed[place.triangle]),
     )
 
@@ -188,4 +188,9 @@ def corners_at(content: Content, place: Place, relief: bool, view: int) -> Vecto
 
 def point_at(content: Content, place: Place, relief: bool, view: int) -> Vector:
     """Return (3,) where a view draws a place of T, in the scene's coordinates."""
-    return np.asarray(np.array(place.weights) @ corners_at(content, place, relief, view))
+    return _mixed(np.array(place.weights), corners_at(content, place, relief, view))
+
+
+def _mixed(weights: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give the weighed sum of three values, or of three rows, the same on every processor."""
+    return np.asarray((weights * values.T).sum(axis=-1))

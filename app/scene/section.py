@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -49,7 +50,7 @@ def profile_of(comparison: Comparison, line: Line, geometry: Geometry | None = N
     With the scene's geometry only triangles near the line are looked at.
     """
     start, end = np.array(line[:2]), np.array(line[2:])
-    length = float(np.hypot(*(end - start)))
+    length = math.sqrt(np.square(end - start).sum())
     if length == 0:
         empty = np.zeros(0)
         return Profile(empty, empty, empty)

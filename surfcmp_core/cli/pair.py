@@ -128,6 +128,7 @@ def compare_surfaces(
         placement = place(*surfaces, view, motion)
         warnings += placement.warnings
         asked["view"] = placement.motions[0][2, :3].tolist()
+        asked["reversed"] = [removed.reversed for removed in placement.removed]
 
     weight = read_weight(settings.weight, settings.duplicates) if settings.weight else None
     try:
@@ -154,7 +155,12 @@ def compare_surfaces(
             replace(surface, dropped=part.dropped)
             for surface, part in zip(surfaces, placement.surfaces, strict=True)
         )
-        comparison = replace(comparison, surfaces=(first, second), transform=placement.motions[1])
+        comparison = replace(
+            comparison,
+            surfaces=(first, second),
+            frame=placement.motions[0],
+            transform=placement.motions[1],
+        )
     comparison = replace(comparison, warnings=(*warnings, *comparison.warnings))
     return comparison, make_document(comparison, asked, alignment)
 

@@ -1,9 +1,7 @@
 """What a comparison would take of one file: the part that is seen, the places with data."""
 
-import math
-
 from surfcmp_core.errors import InputError
-from surfcmp_core.report.numbers import figure, thousands
+from surfcmp_core.report.numbers import figure, thousands, towards
 from surfcmp_core.surface import Surface
 
 Rows = list[tuple[str, str]]
@@ -19,12 +17,11 @@ def sight_rows(surface: Surface) -> Rows:
     except InputError as fault:
         return [("nothing", str(fault))]
     removed = sight.removed
-    direction = sight.motion[2, :3]
-    from_z = math.degrees(math.acos(min(max(float(direction[2]), -1.0), 1.0)))
-    places = ", ".join(f"{part:.4f}".replace("-", "−") for part in direction)
     nodes = {"kept": len(sight.part.points), **removed.nodes}
     area = {"kept": removed.area_kept, **removed.area} if surface.faces is not None else {}
-    rows = [("direction", f"{places}: {from_z:.1f}° from z")]
+    rows = [("direction", towards(sight.motion[2, :3].tolist()))]
+    if removed.reversed:
+        rows.append(("side", "its back: triangles wind clockwise in this view"))
     for reason in dict.fromkeys((*nodes, *area)):
         texts = [f"{thousands(nodes.get(reason, 0))} nodes{_share(reason, nodes)}"]
         if reason in area:

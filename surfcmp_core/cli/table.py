@@ -11,6 +11,7 @@ from surfcmp_core.report.provenance import (
     base_name,
     count_rows,
     left_out_rows,
+    view_rows,
 )
 
 if TYPE_CHECKING:
@@ -50,17 +51,18 @@ def show(document: Document) -> None:
             continue
         out.print(Text(f"\n{group}: {note}", "dim"))
 
-    out.print(Text("\nCounts", "bold"))
-    counts = columns("", "")
-    for name, text in (*count_rows(document), *left_out_rows(document)):
-        counts.add_row("  " + name, text)
-    out.print(counts)
+    groups = {
+        "View": view_rows(document),
+        "Counts": [*count_rows(document), *left_out_rows(document)],
+    }
     if document["alignment"]["method"] != "none":
-        out.print(Text("\nAlignment", "bold"))
-        found = columns("", "")
-        for name, text in alignment_rows(document):
-            found.add_row("  " + name, text)
-        out.print(found)
+        groups["Alignment"] = alignment_rows(document)
+    for title, facts in groups.items():
+        out.print(Text(f"\n{title}", "bold"))
+        table = columns("", "")
+        for name, text in facts:
+            table.add_row("  " + name, text)
+        out.print(table)
     out.print()
     for warning in document["warnings"]:
         out.print(Text.assemble(("warning: ", "bold yellow"), warning))

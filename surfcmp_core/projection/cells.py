@@ -7,9 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
-from surfcmp_core.projection.removed import Fate
 
-_KEPT = int(Fate.KEPT)
 _IN_EACH = 4
 """Triangles in a cell, on average."""
 
@@ -109,7 +107,7 @@ def cells_over(nodes: NDArray[np.float64], border: NDArray[np.int64], triangles:
 
 
 @kernel
-def _extent(
+def extent(
     nodes: NDArray[np.float64],
     faces: NDArray[np.int32],
     t: int,
@@ -118,17 +116,17 @@ def _extent(
     per_cell: float,
     shape: tuple[int, int],
 ) -> tuple[int, int, int, int]:
-    """First and last row and column of the cells that a triangle may touch."""
+    """First and last row and column of the cells that a triangle may touch, none outside."""
     a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
     left = min(nodes[a, 0], nodes[b, 0], nodes[c, 0])
     right = max(nodes[a, 0], nodes[b, 0], nodes[c, 0])
     low = min(nodes[a, 1], nodes[b, 1], nodes[c, 1])
     high = max(nodes[a, 1], nodes[b, 1], nodes[c, 1])
     return (
-        int((low - y0) * per_cell),
-        min(int((high - y0) * per_cell), shape[0] - 1),
-        int((left - x0) * per_cell),
-        min(int((right - x0) * per_cell), shape[1] - 1),
+        int(min(max((low - y0) * per_cell, 0.0), float(shape[0]))),
+        int(min(max((high - y0) * per_cell, -1.0), shape[0] - 1.0)),
+        int(min(max((left - x0) * per_cell, 0.0), float(shape[1]))),
+        int(min(max((right - x0) * per_cell, -1.0), shape[1] - 1.0)),
     )
 
 
@@ -136,7 +134,7 @@ def _extent(
 def _count(
     nodes: NDArray[np.float64],
     faces: NDArray[np.int32],
-    fate: NDArray[np.uint8],
+    counts: NDArray[np.bool_],
     x0: float,
     y0: float,
     per_cell: float,
@@ -145,9 +143,9 @@ def _count(
     candidates: NDArray[np.bool_],
 ) -> None:
     for t in range(faces.shape[0]):
-        if fate[t] != _KEPT:
+        if not counts[t]:
             continue
-        r0, r1, c0, c1 = _extent(nodes, faces, t, x0, y0, per_cell, doubtful.shape)
+        r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, doubtful.shape)
         found = False
         for r in range(r0, r1 + 1):
             for c in range(c0, c1 + 1):
@@ -172,7 +170,7 @@ def _fill(
     members: NDArray[np.int64],
 ) -> None:
     for t in candidates:
-        r0, r1, c0, c1 = _extent(nodes, faces, t, x0, y0, per_cell, shape)
+        r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, shape)
         for r in range(r0, r1 + 1):
             for c in range(c0, c1 + 1):
                 cell = r * shape[1] + c
@@ -183,10 +181,18 @@ def _fill(
 def crowded(
     nodes: NDArray[np.float64],
     faces: NDArray[np.int32],
-    fate: NDArray[np.uint8],
+    counts: NDArray[np.bool_],
     cells: Cells,
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Sort the triangles that may overlap others into cells.
+
+    Parameters
+    ----------
+    nodes : (n, 2) float64
+    faces : (m, 3) int32
+    counts : (m,) bool
+        Which triangles count.
+    cells : Cells
 
     Returns
     -------
@@ -199,7 +205,7 @@ def crowded(
     where = (cells.x0, cells.y0, cells.per_cell)
     start = np.zeros(cells.doubtful.size + 1, np.int64)
     candidates = np.zeros(len(faces), bool)
-    _count(nodes, faces, fate, *where, cells.doubtful, start, candidates)
+    _count(nodes, faces, counts, *where, cells.doubtful, start, candidates)
     np.cumsum(start, out=start)
     members = np.empty(int(start[-1]), np.int64)
     _fill(nodes, faces, np.flatnonzero(candidates), *where, shape, start[:-1].copy(), members)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from itertools import product
 
@@ -25,6 +26,9 @@ from surfcmp_core.surface import Surface
 
 _CLOSED = 0.25
 """Below this openness a mesh counts as closed."""
+_SHEET = 0.5
+"""Above this openness a mesh is a sheet, and its mean normal tells its sides apart; with a cosine
+below the negative of this, two such normals point to opposite sides."""
 _RANK = 1e-5
 """Weight of what decides among views that show the same area."""
 _FILLED = 4.0
@@ -43,8 +47,8 @@ _STEPS = (8.0, 4.0)
 """Degrees, nearly: see `_ring`."""
 _LAST_STEPS = (4.0, 2.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.125)
 """Every other one with its neighbours between those of the step before."""
-_DIGITS = 12
-"""Decimals that a direction has: no more than its nodes tell, and none beside a file's axis."""
+_NOTHING = 1e-12
+"""Parts of a direction below this are rounding: it lies along one of the file's axes or planes."""
 _FIRST_LOOK = 5000
 """Bits that are enough but for the last steps."""
 
@@ -62,7 +66,8 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     have no say.
     Each surface of a pair counts as much as the other. The search runs in axes that the shape
     itself gives, so that a turned scan has the turned direction; meshes go by their outward sides
-    (right-hand rule).
+    (right-hand rule), but for two sheets wound against each other, which are seen from the side of
+    the files' +z axis.
 
     Clouds have no sides. Beside a mesh they have no say; else the direction is the normal of their
     plane of least squares, on the side of the files' +z axis (+y, +x where it lies at right angles
@@ -86,8 +91,9 @@ def viewing_direction(*surfaces: Surface) -> NDArray[np.float64]:
     meshes = [samples for s in surfaces if (samples := samples_of(s)) is not None]
     if not meshes:
         return _normal_of_clouds(surfaces)
+    meshes = _wound_together(meshes)
     axes = _own_axes(meshes)
-    return _rounded(weighed_sum(_best_view([mesh.turned(axes) for mesh in meshes]), axes))
+    return _straight(weighed_sum(_best_view([mesh.turned(axes) for mesh in meshes]), axes))
 
 
 def _normal_of_clouds(surfaces: tuple[Surface, ...]) -> NDArray[np.float64]:
@@ -103,12 +109,32 @@ def _normal_of_clouds(surfaces: tuple[Surface, ...]) -> NDArray[np.float64]:
         names = " and ".join(s.name for s in surfaces)
         raise InputError(f"{names}: no viewing direction, the nodes lie on one line")
     normal = vectors[:, 0]
-    side = next(value for value in normal[::-1].tolist() if abs(value) > 1e-9)
-    return _rounded(normal if side > 0.0 else -normal)
+    return _straight(normal if _is_upward(normal) else -normal)
 
 
-def _rounded(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-    found = np.round(direction, _DIGITS) + 0.0
+def _is_upward(unit: NDArray[np.float64]) -> bool:
+    """Tell the side of +z; of +y and then of +x at right angles to that."""
+    return bool(next(value for value in unit[::-1].tolist() if abs(value) > 1e-9) > 0.0)
+
+
+def _wound_together(meshes: list[Samples]) -> list[Samples]:
+    """Turn over the lower one of two sheets that wind against each other.
+
+    Which of them tells the outer side nobody knows: it is taken to be the upper one.
+    """
+    if len(meshes) < 2 or min(mesh.openness for mesh in meshes) < _SHEET:
+        return meshes
+    sums = [weighed_sum(mesh.areas, mesh.normals) for mesh in meshes]
+    one, other = (total / length(total) for total in sums)
+    if dot(one, other) > -_SHEET:
+        return meshes
+    lower = 1 if _is_upward(one) else 0
+    meshes[lower] = replace(meshes[lower], normals=-meshes[lower].normals)
+    return meshes
+
+
+def _straight(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    found = np.where(np.abs(direction) < _NOTHING, 0.0, direction)
     return np.asarray(found / length(found))
 
 

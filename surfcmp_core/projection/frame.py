@@ -11,6 +11,9 @@ from surfcmp_core.surface import Surface
 
 _FLAT = 0.01
 """Landmarks nearer to one line than this share of their spread give no plane."""
+_ROUNDED = 2.0**-44
+"""Share of its coordinates by which a motion may miss: they have 53 bits, a direction that was
+found from many of them has fewer that are right."""
 
 
 def direction_of_landmarks(landmarks: ArrayLike) -> NDArray[np.float64]:
@@ -79,6 +82,27 @@ def frame(direction: ArrayLike) -> NDArray[np.float64]:
     matrix[1, :3] = -x * y / one_plus_z, 1.0 - y * y / one_plus_z, -y
     matrix[2, :3] = d
     return matrix + 0.0
+
+
+def rounded_off(surface: Surface, matrix: NDArray[np.float64]) -> float:
+    """Tell how far apart a motion may leave nodes that it should lay at one place of the plane.
+
+    Parameters
+    ----------
+    surface : Surface
+        Before the motion.
+    matrix : (4, 4) float64
+
+    Returns
+    -------
+    float
+        Some last bits of the largest coordinates on the way: in them even the file's own are
+        rounded. 0 for the identity, which leaves all bits.
+    """
+    if np.array_equal(matrix, np.eye(4)):
+        return 0.0
+    largest = float(np.abs(surface.points).max(initial=0.0))
+    return _ROUNDED * (largest + float(np.abs(matrix[:3, 3]).max()))
 
 
 def moved(surface: Surface, matrix: NDArray[np.float64]) -> Surface:

@@ -5,10 +5,11 @@ from numpy.typing import NDArray
 
 from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import orientation
+from surfcmp_core.projection.backs import doubt_backs
 from surfcmp_core.projection.cells import Cells, crowded
 from surfcmp_core.projection.removed import Fate
 
-_HIDDEN = int(Fate.HIDDEN)
+_KEPT, _HIDDEN, _BACK = int(Fate.KEPT), int(Fate.HIDDEN), int(Fate.BACK_FACING)
 _DIRECTIONS = 8
 """Along which triangles are told apart before anything exact is asked: every 22.5 degrees or so."""
 
@@ -25,17 +26,25 @@ def _side(nodes: NDArray[np.float64], a: int, b: int, c: int) -> float:
 
 
 @kernel
-def _apart(nodes: NDArray[np.float64], faces: NDArray[np.int32], one: int, other: int) -> bool:
-    """Whether an edge of one counter-clockwise triangle has all of another on its outer side."""
+def _apart(
+    nodes: NDArray[np.float64], faces: NDArray[np.int32], one: int, other: int, room: float
+) -> bool:
+    """Whether an edge of one counter-clockwise triangle has all of another on its outer side.
+
+    All of it but a strip as wide as `room`, at the most.
+    """
     d, e, f = faces[other, 0], faces[other, 1], faces[other, 2]
     for i in range(3):
         a, b, c = faces[one, i], faces[one, (i + 1) % 3], faces[one, (i + 2) % 3]
         if c in (d, e, f):
             continue  # a node on the inner side
+        most = 0.0
+        if room > 0.0:
+            most = room * max(abs(nodes[b, 0] - nodes[a, 0]), abs(nodes[b, 1] - nodes[a, 1]))
         if (
-            _side(nodes, a, b, d) <= 0.0
-            and _side(nodes, a, b, e) <= 0.0
-            and _side(nodes, a, b, f) <= 0.0
+            _side(nodes, a, b, d) <= most
+            and _side(nodes, a, b, e) <= most
+            and _side(nodes, a, b, f) <= most
         ):
             return True
     return False
@@ -157,6 +166,8 @@ def _hide(
     start: NDArray[np.int64],
     members: NDArray[np.int64],
     fate: NDArray[np.uint8],
+    room: float,
+    above: float,
 ) -> None:
     most = int(np.max(np.diff(start)))
     low = np.empty((most, _DIRECTIONS))
@@ -181,16 +192,24 @@ def _hide(
                 if apart:
                     continue
                 q = members[first + j]
-                if fate[p] == _HIDDEN and fate[q] == _HIDDEN:
+                # backs hide and are not hidden: they are left out already
+                if fate[p] != _KEPT and fate[q] != _KEPT:
                     continue
                 # once a pair: in the cell of their boxes' first common place
                 column = int((max(low[i, 0], low[j, 0]) - x0) * per_cell)
                 row = int((max(low[i, 1], low[j, 1]) - y0) * per_cell)
                 if row * columns + column != cell or _along_an_edge(faces, q, p):
                     continue
-                if _apart(nodes, faces, q, p) or _apart(nodes, faces, p, q):
+                if _apart(nodes, faces, q, p, room) or _apart(nodes, faces, p, q, room):
                     continue
-                if _lead(nodes, z, faces, q, p) >= 0.0:
+                lead = _lead(nodes, z, faces, q, p)
+                if fate[q] == _BACK:
+                    if lead > above:
+                        fate[p] = _HIDDEN
+                elif fate[p] == _BACK:
+                    if lead < -above:
+                        fate[q] = _HIDDEN
+                elif lead >= 0.0:
                     fate[p] = _HIDDEN
                 else:
                     fate[q] = _HIDDEN
@@ -202,6 +221,9 @@ def hide(
     faces: NDArray[np.int32],
     cells: Cells,
     fate: NDArray[np.uint8],
+    backs: NDArray[np.bool_] | None,
+    room: float,
+    above: float,
 ) -> None:
     """Mark each triangle that another one lies in front of.
 
@@ -216,9 +238,19 @@ def hide(
     cells : Cells
         Laid over those that count.
     fate : (m,) uint8
-        Only KEPT ones count; set to HIDDEN. Of two alike in height, the later one.
+        KEPT ones may be set to HIDDEN. Of two alike in height, the later one.
+    backs : (m,) bool, optional
+        BACK_FACING ones that hide as well.
+    room : float
+        Overlaps no wider than this are none.
+    above : float
+        By more than this a back must lie in front, in the unit of z.
     """
-    start, members = crowded(nodes, faces, fate, cells)
+    counts = fate == Fate.KEPT
+    if backs is not None:
+        doubt_backs(nodes, z, faces, fate, backs, cells)
+        counts |= backs
+    start, members = crowded(nodes, faces, counts, cells)
     columns = cells.doubtful.shape[1]
     where = (cells.x0, cells.y0, cells.per_cell, columns)
-    _hide(nodes, z, faces, *where, start, members, fate)
+    _hide(nodes, z, faces, *where, start, members, fate, room, above)

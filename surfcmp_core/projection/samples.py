@@ -30,7 +30,7 @@ class Samples:
     pieces : (k,) int32
         Number of the connected part of the mesh each belongs to, from 0.
     area : float
-        Of the whole.
+        Of the whole, in the unit of `places`: the mesh's, times some power of two.
     """
 
     places: NDArray[np.float64]
@@ -100,6 +100,8 @@ def samples_of(surface: Surface) -> Samples | None:
     join_pieces(surface.faces, np.zeros(len(surface.faces), np.uint8), piece_of)
     faces = surface.faces[:: max(1, len(surface.faces) // _WANTED)]
     corners = surface.points[faces] - surface.points[0]
+    # shares and directions are all that counts: a size whose powers are numbers
+    corners = np.ldexp(corners, -int(np.frexp(np.abs(corners).max())[1]))
     vector = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     double = lengths(vector)
     real = double > 0.0

@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.scaling import safe_scale
 from surfcmp_core.kernel import kernel
-from surfcmp_core.linear_algebra import length
 from surfcmp_core.predicates import orientation
+from surfcmp_core.projection.backs import backs_that_hide
 from surfcmp_core.projection.border import border_of
 from surfcmp_core.projection.cells import cells_over
 from surfcmp_core.projection.islands import drop_islands
+from surfcmp_core.projection.outer_side import seen_from_behind
 from surfcmp_core.projection.overlap import hide
 from surfcmp_core.projection.places import same_place
 from surfcmp_core.projection.removed import Fate, Removed
@@ -21,20 +22,21 @@ from surfcmp_core.used import UNUSED
 
 _KEPT, _HIDDEN = int(Fate.KEPT), int(Fate.HIDDEN)
 _DEGENERATE, _BACK_FACING = int(Fate.DEGENERATE), int(Fate.BACK_FACING)
-_CLOSED = 0.25
-"""A mesh whose vector area is below this share of its area counts as closed."""
+_ROUNDED = 2.0**-48
+"""Share of the heights by which that of a place in a triangle may be rounded."""
 
 
-def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, Removed]:
-    """Keep what a viewer at z = +∞ sees, as a function of x and y.
+def schlicht_part(
+    surface: Surface, *, island: float = 0.01, behind: bool | None = None, room: float = 0.0
+) -> tuple[Surface, Removed]:
+    """Keep what a viewer at z = +∞ sees of one side, as a function of x and y.
 
     Of a mesh, whole triangles go, in this order: those without area in the plane and those that
-    face away, exactly; pieces of the rest that are small beside the largest (debris hides nothing);
-    those that another triangle lies in front of, or that have a node below another one at the same
-    (x, y); and small pieces once more. What stays is counter-clockwise, no two triangles overlap in
-    the plane, and no two nodes at one (x, y) differ in z. The outer side is the one of the file's
-    triangles; but it is taken as reversed where a closed mesh would have its outside inside, and
-    where most of an open one would face away: an open sheet may be looked at from either side.
+    show the other side, exactly; pieces of the rest that are small beside the largest (debris hides
+    nothing); those that another triangle lies in front of, whichever side that one shows, or that
+    have a node below another one at the same (x, y); and small pieces once more. What stays is
+    counter-clockwise, no two triangles overlap in the plane, and no two nodes at one (x, y) differ
+    in z.
 
     Of a cloud, only nodes below another one at the same (x, y) go.
 
@@ -44,6 +46,12 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
         In the comparison's coordinates, z towards the viewer.
     island : float
         Pieces with less than this share of the largest piece's area are dropped.
+    behind : bool, optional
+        Whether the surface is looked at from its back; see :func:`seen_from_behind`, which tells it
+        where it is not given.
+    room : float
+        What a motion has rounded off: up to this far apart in the plane, nodes are at one place,
+        and triangles no wider than this are without area. 0 where nothing was moved.
 
     Returns
     -------
@@ -62,42 +70,46 @@ def schlicht_part(surface: Surface, *, island: float = 0.01) -> tuple[Surface, R
     if scale != 1.0:
         nodes *= scale
     z = np.ascontiguousarray(surface.points[:, 2])
-    members, starts = same_place(nodes, z)
+    members, starts = same_place(nodes, z, room * scale)
     if surface.faces is None:
-        return _upper_nodes(surface, members[_below(z, members, starts)])
+        return _upper_nodes(surface, members[_below(z, members, starts, room)])
 
-    fate, area, turned = _facing(surface, scale)
-    faces = _joined(surface.faces, z, members, starts)
-    if turned:
-        faces = np.ascontiguousarray(faces[:, ::-1])
-    room = np.empty(len(nodes), np.int32)
-    drop_islands(faces, area, island, room, fate)
+    turned = seen_from_behind(surface)[0] if behind is None else behind
+    fate, area = np.empty(len(surface.faces), np.uint8), np.empty(len(surface.faces))
+    _sides(surface.points, scale, room, turned, surface.faces, fate, area)
+    faces = _joined(surface.faces, z, members, starts, room)
+    backs = backs_that_hide(faces, area, fate, island, len(nodes))
+    faces = _upward(faces, fate, turned, backs)
+    own = np.empty(len(nodes), np.int32)
+    drop_islands(faces, area, island, own, fate)
     border = border_of(faces, fate, len(nodes))
     if not len(border):
         raise InputError(f"{surface.name}: no triangle faces the viewer")
     cells = cells_over(nodes, border, int(np.count_nonzero(fate == Fate.KEPT)))
-    hide(nodes, z, faces, cells, fate)
+    above = room + _ROUNDED * float(np.abs(z).max())
+    hide(nodes, z, faces, cells, fate, backs, room * scale, above)
     if len(members):
         height = np.full(len(nodes), -np.inf)
         _heights(faces, fate, z, height)
-        below = members[_below(height, members, starts)]
+        below = members[_below(height, members, starts, room)]
         if len(below):
             low = np.zeros(len(nodes), bool)
             low[below] = True
             _hide_low(faces, low, fate)
     if (fate == Fate.HIDDEN).any():
-        drop_islands(faces, area, island, room, fate)
+        drop_islands(faces, area, island, own, fate)
     return _part(surface, fate, area, turned)
 
 
 def _below(
-    z: NDArray[np.float64], members: NDArray[np.int64], starts: NDArray[np.int64]
+    z: NDArray[np.float64], members: NDArray[np.int64], starts: NDArray[np.int64], room: float
 ) -> NDArray[np.bool_]:
-    """Give the members that lie below another one of their group."""
+    """Give the members that lie below another one of their group, by more than `room`."""
     if not len(members):
         return np.zeros(0, bool)
     top = np.maximum.reduceat(z[members], starts)
-    return np.asarray(z[members] < np.repeat(top, np.diff(np.append(starts, len(members)))))
+    top = np.repeat(top - room, np.diff(np.append(starts, len(members))))
+    return np.asarray(z[members] < top)
 
 
 def _joined(
@@ -105,12 +117,13 @@ def _joined(
     z: NDArray[np.float64],
     members: NDArray[np.int64],
     starts: NDArray[np.int64],
+    room: float,
 ) -> NDArray[np.int32]:
     """Let triangles that meet in space meet in node numbers too, whatever the file did."""
     if not len(members):
         return faces
     first = np.ones(len(members), bool)
-    first[1:] = z[members[1:]] != z[members[:-1]]
+    first[1:] = np.diff(z[members]) > room
     first[starts] = True
     if first.all():
         return faces
@@ -123,48 +136,46 @@ def _joined(
 def _sides(
     points: NDArray[np.float64],
     scale: float,
+    room: float,
+    turned: bool,
     faces: NDArray[np.int32],
     fate: NDArray[np.uint8],
     area: NDArray[np.float64],
-) -> tuple[float, float, float, float]:
-    """Orient and measure triangles; give their vector area and the volume they enclose.
-
-    Clockwise ones look back.
-    """
-    sum_x = sum_y = sum_z = volume = 0.0
-    x0, y0, z0 = points[0, 0], points[0, 1], points[0, 2]
+) -> None:
+    """Tell by their orientation which triangles show the side that is looked at; measure all."""
     for t in range(faces.shape[0]):
         a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
         ax, ay, az = points[a, 0], points[a, 1], points[a, 2]
         bx, by, bz = points[b, 0], points[b, 1], points[b, 2]
         cx, cy, cz = points[c, 0], points[c, 1], points[c, 2]
         turn = orientation(scale * ax, scale * ay, scale * bx, scale * by, scale * cx, scale * cy)
-        fate[t] = _KEPT if turn > 0.0 else _BACK_FACING if turn < 0.0 else _DEGENERATE
         ux, uy, uz = bx - ax, by - ay, bz - az
         vx, vy, vz = cx - ax, cy - ay, cz - az
+        nothing = 0.0
+        if room > 0.0:
+            long = max(abs(ux) + abs(uy), abs(vx) + abs(vy), abs(vx - ux) + abs(vy - uy))
+            nothing = scale * room * (scale * long)
+        if abs(turn) <= nothing:
+            fate[t] = _DEGENERATE
+        else:
+            fate[t] = _KEPT if (turn > 0.0) != turned else _BACK_FACING
         nx = 0.5 * (uy * vz - uz * vy)
         ny = 0.5 * (uz * vx - ux * vz)
         nz = 0.5 * (ux * vy - uy * vx)
         area[t] = np.sqrt(nx * nx + ny * ny + nz * nz)
-        sum_x += nx
-        sum_y += ny
-        sum_z += nz
-        volume += nx * (ax - x0) + ny * (ay - y0) + nz * (az - z0)
-    return sum_x, sum_y, sum_z, volume
 
 
-def _facing(surface: Surface, scale: float) -> tuple[NDArray[np.uint8], NDArray[np.float64], bool]:
-    """Give each triangle's fate by its side, its area, and whether to turn all over."""
-    faces = surface.faces
-    assert faces is not None
-    fate = np.empty(len(faces), np.uint8)
-    area = np.empty(len(faces))
-    *vector, volume = _sides(surface.points, scale, faces, fate, area)
-    closed = length(vector) < _CLOSED * area.sum()
-    turned = volume < 0.0 if closed else vector[2] < 0.0
-    if turned:
-        fate = np.array([_BACK_FACING, _DEGENERATE, _KEPT], np.uint8)[fate]
-    return fate, area, turned
+def _upward(
+    faces: NDArray[np.int32],
+    fate: NDArray[np.uint8],
+    turned: bool,
+    backs: NDArray[np.bool_] | None,
+) -> NDArray[np.int32]:
+    """Let triangles that count run counter-clockwise, also those that show their other side."""
+    clockwise = fate == Fate.KEPT if turned else backs
+    if clockwise is None:
+        return faces
+    return np.where(clockwise[:, None], faces[:, ::-1], faces)
 
 
 @kernel

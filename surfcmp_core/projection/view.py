@@ -18,6 +18,13 @@ _EDGE_ON = 1e-9
 
 
 @kernel
+def side_of_pixels(wide: float, high: float, bits: int) -> float:
+    """Choose a depth buffer's pixels: no more of them than bits, however thin the view is."""
+    side = np.sqrt(wide * high * _EACH_PIXEL / bits)
+    return float(max(side, max(wide, high) / bits, 1e-300))
+
+
+@kernel
 def _seen(
     places: NDArray[np.float64],
     normals: NDArray[np.float64],
@@ -49,10 +56,7 @@ def _seen(
         high_v = max(high_v, at[i, 1])
     if front == 0:
         return 0.0
-    # no more pixels than bits, however thin the view is
-    box = (high_u - low_u) * (high_v - low_v)
-    side = np.sqrt(box * _EACH_PIXEL / front)
-    side = max(side, max(high_u - low_u, high_v - low_v) / front, 1e-300)
+    side = side_of_pixels(high_u - low_u, high_v - low_v, front)
     wide = int((high_u - low_u) / side) + 1
     high = int((high_v - low_v) / side) + 1
     top = np.full(wide * high, -np.inf)

@@ -1,6 +1,7 @@
 """Numbers as people read them: four figures, a unit, nothing false."""
 
 import math
+from collections.abc import Sequence
 
 _POWERS = {1: "", 2: "²", 3: "³"}
 NOTHING = "–"
@@ -28,6 +29,14 @@ def with_unit(value: float | None, power: int | None, unit: str) -> tuple[str, s
         return f"{share:.2f}", "%"
     text = figure(value)
     return (text, "") if text == NOTHING else (text, unit + _POWERS[power])
+
+
+def towards(direction: Sequence[float]) -> str:
+    """Tell a unit direction by its parts and its angle to z."""
+    x, y, z = direction
+    from_z = math.degrees(math.acos(min(max(z, -1.0), 1.0)))
+    parts = ", ".join(f"{part:.4f}".replace("-", "−") for part in (x, y, z))
+    return f"{parts}: {from_z:.1f}° from z"
 
 
 def thousands(count: int) -> str:

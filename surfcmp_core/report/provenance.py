@@ -4,7 +4,7 @@ from typing import Any
 
 from surfcmp_core.alignment import Record
 from surfcmp_core.report.document import Document
-from surfcmp_core.report.numbers import thousands, with_unit
+from surfcmp_core.report.numbers import thousands, towards, with_unit
 
 DISCLAIMER = "For research and teaching; not a medical device."
 
@@ -55,6 +55,19 @@ def left_out_rows(document: Document) -> Rows:
 
 def _dropped(one: Document) -> str:
     return ", ".join(f"{reason}: {thousands(n)}" for reason, n in one["dropped"].items())
+
+
+def view_rows(document: Document) -> Rows:
+    """Return from where both surfaces are looked at, and whose back is seen."""
+    options = document["options"]
+    if options.get("view") is None:
+        return [("seen from", "+z of the files")]
+    how = "found from the surfaces" if options.get("project") == "auto" else "as given"
+    rows = [("seen from", f"{towards(options['view'])}, {how}")]
+    backs = [str(k) for k, behind in enumerate(options.get("reversed", ()), 1) if behind]
+    if backs:
+        rows.append(("from its back", f"surface {' and '.join(backs)}"))
+    return rows
 
 
 def count_rows(document: Document) -> Rows:

@@ -68,6 +68,14 @@ def naive_fates(points, faces):
             if max(leads) == -min(leads) and set(faces[s]) != set(faces[t]):
                 return None
             hidden.add(t if max(leads) >= -min(leads) else s)
+        for t in range(len(faces)):
+            if fate[t] == Fate.BACK_FACING:  # it hides, whichever side it shows
+                one, other = [p[v] for v in faces[s]], [p[v] for v in faces[t][::-1]]
+                leads = [height(other, q) - q[2] for q in overlap(one, other)]
+                if leads and max(leads) == -min(leads) > 0:
+                    return None
+                if leads and max(leads) > -min(leads):
+                    hidden.add(s)
     for t in hidden:
         fate[t] = Fate.HIDDEN
     top = {}
