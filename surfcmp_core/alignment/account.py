@@ -146,8 +146,6 @@ def _unevenness(side: Side) -> float:
 def angle_of(rotation: NDArray[np.float64]) -> float:
     """Give the angle of a rotation in degrees, to the millionth."""
     cosine = (float(rotation[0, 0]) + float(rotation[1, 1]) + float(rotation[2, 2]) - 1.0) / 2.0
-    ways = (rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0])
-    sine = math.sqrt(
-        float(ways[0]) ** 2 + float(ways[1]) ** 2 + float(rotation[1, 0] - rotation[0, 1]) ** 2
-    )
+    against = rotation - rotation.T
+    sine = length((against[2, 1], against[0, 2], against[1, 0]))
     return round(math.degrees(math.atan2(sine / 2.0, cosine)), 6)

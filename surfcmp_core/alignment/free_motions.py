@@ -73,7 +73,7 @@ def free_motions(
     one, other = _along(at, own, unit), _along(at, partners, unit)
     held = (one[:, :, None] * other[:, None, :]).mean(axis=0)
     shares, motions = eigen((held + held.T) / 2.0)
-    alone = (_product(one, motions) ** 2).mean(axis=0)
+    alone = np.square(_product(one, motions)).mean(axis=0)
     free = (shares < max(_FREE, min(_AT_MOST, _OF_NOISE * noise))) & (alone < _ALONE)
     return _named(_product(unit, motions[:, free]))
 

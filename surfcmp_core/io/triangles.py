@@ -87,23 +87,25 @@ def _split(
     group: NDArray[np.int32], points: NDArray[np.float64]
 ) -> tuple[list[NDArray[np.int32]], int]:
     """Triangles of some polygons of c corners each, and how many cross themselves."""
+    from surfcmp_core.linear_algebra import dots, lengths
+
     k, c = group.shape
     places = points[group] - points[group[:, :1]]
     size = np.abs(places).max(axis=(1, 2))
     places /= np.where(size > 0, size, 1.0)[:, None, None]
     normals = np.cross(places[:, 1:-1], places[:, 2:])  # of the fan's triangles, twice their area
     axes = normals.sum(axis=1)
-    length = np.linalg.norm(axes, axis=1)
+    length = lengths(axes)
     axes /= np.where(length > 0, length, 1.0)[:, None]
-    heights = np.einsum("kij,kj->ki", normals, axes)
+    heights = dots(normals, axes[:, None])
     # all to one side, and less than once around the first corner: they lie side by side
     fanned = (heights >= -_NOTHING).all(axis=1)
     if c > 4:
-        flat = places - np.einsum("kij,kj->ki", places, axes)[:, :, None] * axes[:, None]
-        along = np.einsum("kij,kij->ki", flat[:, 1:-1], flat[:, 2:])
+        flat = places - dots(places, axes[:, None])[:, :, None] * axes[:, None]
+        along = dots(flat[:, 1:-1], flat[:, 2:])
         fanned &= np.arctan2(heights, along).sum(axis=1) <= 2.0 * np.pi + _NOTHING
     in_line = length <= _NOTHING
-    fanned &= ~in_line | (np.linalg.norm(normals, axis=2) <= _NOTHING).all(axis=1)
+    fanned &= ~in_line | (lengths(normals) <= _NOTHING).all(axis=1)
     fanned |= ~np.isfinite(length)  # refused soon for its nodes
     first = np.broadcast_to(group[:, :1], (k, c - 2))
     triangles = [np.stack((first, group[:, 1:-1], group[:, 2:]), axis=2)[fanned].reshape(-1, 3)]
@@ -126,11 +128,13 @@ def _ears(
     """
     from mapbox_earcut import triangulate_float64
 
+    from surfcmp_core.linear_algebra import dots, length
+
     if len(places) > _MOST:
         raise InputError(f"a polygon of {len(places)} corners that is not convex is not read")
     right = np.cross(np.eye(3)[np.argmin(np.abs(axis))], axis)
-    right /= np.linalg.norm(right)
-    flat = np.ascontiguousarray(places @ np.stack((right, np.cross(axis, right)), axis=1))
+    right /= length(right)
+    flat = np.column_stack((dots(places, right), dots(places, np.cross(axis, right))))
     ears = triangulate_float64(flat, np.array([len(flat)], np.uint32)).reshape(-1, 3)
     ears = ears.astype(np.int64)
     (ax, ay), (bx, by), (cx, cy) = (flat[ears[:, i]].T for i in range(3))

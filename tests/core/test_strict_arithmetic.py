@@ -24,6 +24,8 @@ FORBIDDEN = {
     *("pow", "float_power", "hypot", "cbrt"),
 }
 HARMLESS = {
+    "alignment/account.py": {"atan2"},  # an angle that is rounded
+    "io/triangles.py": {"**", "arctan2"},  # whole numbers; turns, to a billionth of one
     "io/units.py": {"**"},  # fractions: exact
     "report/numbers.py": {"acos", "log10"},  # an angle that is shown, and with how many digits
     "report/scale.py": {"log10"},  # round ends of a scale of colours
