@@ -146,10 +146,17 @@ def compare_surfaces(
             read_seconds=read_seconds,
         )
     except InputError as fault:
-        if any(one.name in str(fault) for one in surfaces):
-            raise
-        files = " and ".join(str(one.path or one.name) for one in surfaces)
-        raise InputError(f"{files}: {fault}") from None
+        told = str(fault)
+        if not any(one.name in told for one in surfaces):
+            files = " and ".join(str(one.path or one.name) for one in surfaces)
+            told = f"{files}: {told}"
+        suspects = [
+            f"{one.name} has {count} {note}"
+            for one in surfaces
+            for note, count in one.changed.items()
+            if "--no-data" in note
+        ]
+        raise InputError("; ".join((told, *suspects))) from None
     if placement:
         first, second = (
             replace(surface, dropped=part.dropped)

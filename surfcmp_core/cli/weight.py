@@ -39,7 +39,7 @@ def read_weight(path: Path, duplicates: Duplicates = "refuse") -> Weight:
     from surfcmp_core.triangulation import triangulate
     from surfcmp_core.used import without_unused
 
-    surface = without_unused(read_surface(path, unit="mm"))  # mm: nothing converted
+    surface = without_unused(read_surface(path, unit="mm", weights=True))  # mm: nothing converted
     grid = grid_of(surface, duplicates=duplicates)
     if (grid.z < 0).any():
         raise InputError(f"{path}: {int((grid.z < 0).sum())} weights are below zero")

@@ -8,7 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.io.headings import Heading, are_units, axes_among, heading_of
+from surfcmp_core.io.headings import (
+    HEIGHTS,
+    WEIGHTS,
+    Heading,
+    are_units,
+    axes_among,
+    heading_of,
+)
 from surfcmp_core.io.lead import Lead, lead_of, split, splittings
 from surfcmp_core.io.notation import is_number, is_odd, numbers_in, refuse_thousands
 from surfcmp_core.io.raw import Raw
@@ -24,12 +31,13 @@ _MARKS = re.compile(r"[;,\t]")
 _TITLE = re.compile(r"\s*(?:columns?|fields?|header|format|spalten)\s*[:=]\s*", re.IGNORECASE)
 
 
-def read_columns(data: bytes) -> Raw:
+def read_columns(data: bytes, *, weights: bool = False) -> Raw:
     """Nodes of a table separated by white space, commas, semicolons or tabs.
 
     Its columns are those that its heading names, a row or a comment ahead of the numbers; without
     one, the first three that hold numbers. All numbers are in one notation: with points or commas
-    ahead of decimals, with or without marks between thousands.
+    ahead of decimals, with or without marks between thousands. With `weights`, the heading may name
+    a weight in the place of z.
     """
     text = decode(data)
     lead = lead_of(text)
@@ -42,7 +50,7 @@ def read_columns(data: bytes) -> Raw:
     if not 3 <= width <= _MOST_COLUMNS:
         number = "three columns or more" if width < 3 else f"at most {_MOST_COLUMNS} columns"
         raise InputError(f"{number} expected, {width} in the row {quoted(rows[0])}")
-    heading = _heading(lead, rows, first)
+    heading = _heading(lead, rows, first, WEIGHTS if weights else HEIGHTS)
     sample = [split(row, lead.delimiter) for row in rows[:_SAMPLE]]
     wanted = list(heading.columns) if heading else _unnamed(sample)
     points = _numbers(text, rows, lead.delimiter, len(first), wanted)
@@ -59,7 +67,9 @@ def read_columns(data: bytes) -> Raw:
     return Raw(points, comments=comments, unit=unit, keeps_unit=True, changed=changed)
 
 
-def _heading(lead: Lead, rows: Sequence[str], first: Sequence[str]) -> Heading | None:
+def _heading(
+    lead: Lead, rows: Sequence[str], first: Sequence[str], heights: Sequence[str]
+) -> Heading | None:
     """Find the row ahead that names x, y and z; None where only comments and titles are there.
 
     Raises
@@ -79,7 +89,7 @@ def _heading(lead: Lead, rows: Sequence[str], first: Sequence[str]) -> Heading |
             if comment and not 3 <= count <= len(first):
                 continue
             try:
-                found = heading_of(fields, below if are_units(below) else ())
+                found = heading_of(fields, below, heights)
             except InputError as fault:
                 raise InputError(f"{header} {fault}") from None
             if found is None:

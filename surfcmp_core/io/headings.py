@@ -41,7 +41,7 @@ _PLANES: tuple[tuple[str, str], ...] = (
     (f"{_SYSTEM}rechts(?:wert)?|rw|r", f"{_SYSTEM}hoch(?:wert)?|hw|h"),
 )
 """Names of x and y, without blanks and marks: the first pair that is there counts."""
-_HEIGHTS: tuple[str, ...] = (
+HEIGHTS: tuple[str, ...] = (
     "z",
     f"{_BEFORE}z{_AFTER}",
     f"(?:{_KIND}|xyz)2",
@@ -53,6 +53,8 @@ _HEIGHTS: tuple[str, ...] = (
     ),
 )
 """Names of z, likewise; ``h.{0,2}he`` is a German height in an encoding nobody tells."""
+WEIGHTS: tuple[str, ...] = (r"µ|μ|mu|w|weights?|gewichte?|poids", *HEIGHTS)
+"""Names of a weight at x and y, which a table may hold in the place of z."""
 _LATITUDE = r"lat(?:itude|itud)?|(?:geogr.*)?breite(?:ngrad)?|φ|phi"
 _LONGITUDE = r"lon(?:g|gitude|gitud)?|lng|(?:geogr.*)?l.{1,2}nge(?:ngrad)?|λ|lambda"
 
@@ -67,7 +69,9 @@ class Heading:
     """Of all three; None where it does not say."""
 
 
-def heading_of(fields: Sequence[str], units: Sequence[str] = ()) -> Heading | None:
+def heading_of(
+    fields: Sequence[str], units: Sequence[str] = (), heights: Sequence[str] = HEIGHTS
+) -> Heading | None:
     """Find x, y and z among the names of columns.
 
     Parameters
@@ -76,6 +80,8 @@ def heading_of(fields: Sequence[str], units: Sequence[str] = ()) -> Heading | No
         The names, each of which a unit may follow: ``x``, ``X [m]``, ``y_mm``, ``Rechtswert``.
     units : sequence of str
         A second row, with the unit of each column.
+    heights : sequence of str
+        Patterns of names of z, the best ones first.
 
     Returns
     -------
@@ -91,7 +97,7 @@ def heading_of(fields: Sequence[str], units: Sequence[str] = ()) -> Heading | No
     exact = [field.strip(_AROUND).lower() for field in fields]
     names = [name for name, _ in parts]
     plane = _plane(exact, names)
-    height = None if plane is None else _height(exact, names, plane)
+    height = None if plane is None else _height(exact, names, plane, heights)
     if plane is None or height is None:
         if _place(_LATITUDE, names) is not None and _place(_LONGITUDE, names) is not None:
             raise InputError("names latitude and longitude, angles where lengths are needed")
@@ -145,8 +151,10 @@ def _plane(exact: Sequence[str], names: Sequence[str]) -> tuple[int, int] | None
     return None
 
 
-def _height(exact: Sequence[str], names: Sequence[str], plane: tuple[int, int]) -> int | None:
-    for among, z in ((exact, _HEIGHTS[0]), *((names, height) for height in _HEIGHTS)):
+def _height(
+    exact: Sequence[str], names: Sequence[str], plane: tuple[int, int], heights: Sequence[str]
+) -> int | None:
+    for among, z in ((exact, heights[0]), *((names, height) for height in heights)):
         found = _place(z, among, plane)
         if found is not None:
             return None if found == -1 else found

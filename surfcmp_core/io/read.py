@@ -4,6 +4,7 @@ import hashlib
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -47,7 +48,11 @@ READERS: dict[str, Callable[[bytes], Raw]] = {
 
 
 def read_surface(
-    path: str | Path, *, unit: str | None = None, no_data: Sequence[float] = ()
+    path: str | Path,
+    *,
+    unit: str | None = None,
+    no_data: Sequence[float] = (),
+    weights: bool = False,
 ) -> Surface:
     """Read a cloud or a mesh.
 
@@ -68,6 +73,8 @@ def read_surface(
     no_data : sequence of float, optional
         Values of x, y or z, in the file's unit, that mean that there are no data; NaN: all that is
         not finite. Nodes with such a value, and faces at them, are left out.
+    weights : bool, optional
+        The heading of a table may name a weight in the place of z.
 
     Returns
     -------
@@ -88,7 +95,10 @@ def read_surface(
         data = _bytes(path)
         with ThreadPoolExecutor(1) as beside, np.errstate(all="ignore"):
             sha256 = beside.submit(_sha256, data)
-            surface = _surface(marked(READERS[path.suffix.lower()](data), no_data), unit)
+            reader = READERS[path.suffix.lower()]
+            if weights and reader is read_columns:
+                reader = partial(read_columns, weights=True)
+            surface = _surface(marked(reader(data), no_data), unit)
     except InputError as error:
         raise InputError(f"{path}: {error}{_mistaken(path, data)}") from None
     except OSError as error:
