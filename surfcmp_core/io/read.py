@@ -46,6 +46,9 @@ READERS: dict[str, Callable[[bytes], Raw]] = {
 }
 """The reader of each ending known."""
 
+_MOST, _LONGEST = 1000, 300
+"""Comments, and characters of each, that may state a unit and axes."""
+
 
 def read_surface(
     path: str | Path,
@@ -133,7 +136,8 @@ def _told(surface: Surface, raw: Raw, unit: str | None) -> Surface:
     """Tell the surface's unit and axes, in mm where its unit is given or to be converted."""
     if raw.refused and unit is None:
         raise InputError(f"{raw.refused} (--unit says the unit of x, y and z)")
-    stated, axes = stated_unit(raw.comments), stated_space(raw.comments)
+    comments = tuple(one[:_LONGEST] for one in raw.comments[:_MOST])
+    stated, axes = stated_unit(comments), stated_space(comments)
     odd = (*axes.odd, *(stated.odd if unit is None else ()))
     surface = replace(surface, space=axes.name, changed=dict.fromkeys(odd, 1))
     if unit is not None:

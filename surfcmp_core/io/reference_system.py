@@ -14,6 +14,8 @@ from surfcmp_core.units import SIZES
 _NEAR = 2e-7
 """Relative: sizes of units are rounded to seven digits at worst; both feet differ by 2e-6."""
 
+_LONGEST = 100_000
+"""Characters of WKT; definitions with all their remarks take a tenth."""
 _HORIZONTAL = {"PROJCS", "PROJCRS", "PROJECTEDCRS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"}
 _GEOGRAPHIC = {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS"}
 _VERTICAL = {"VERT_CS", "VERTCS", "VERTCRS", "VERTICALCRS"}
@@ -74,7 +76,7 @@ def units_of_wkt(text: str) -> LengthUnits:
     """
     found = LengthUnits()
     try:
-        todo = _parsed(text)
+        todo = _parsed(text[: _LONGEST + 1])
     except ValueError:
         found.odd.append("its reference system is not well-formed WKT")
         return found
@@ -181,6 +183,8 @@ def _parsed(text: str) -> list[_Element]:
     open_ones = [_Element("", parts=roots)]
     word, at = "", 0
     text = text.strip("\0 \t\r\n")
+    if len(text) > _LONGEST:
+        raise ValueError("length")
     while at < len(text):
         token = _TOKEN.match(text, at)
         if token is None or len(open_ones) > 100:

@@ -62,9 +62,6 @@ _OF_COORDINATES = re.compile(
 something else's: time unit, intensity unit, focal length unit, original unit."""
 
 _MAY_STATE = re.compile(r"unit|\bin\b|[\[(]", re.IGNORECASE)
-_LONGEST = 300
-"""Characters of a comment that are looked at."""
-
 _LABEL = re.compile(rf"[\s~'\"(\[]*{_NAME}(?:{_END}|\s*[,;])", re.IGNORECASE)
 _SURVEY_FOOT = re.compile(
     r"(?:\bus|u\.s\.|survey)\W*(?:survey\W*)?(?:ft|foot|feet)|(?:ft|foot|feet)[\W_]*us",
@@ -96,7 +93,7 @@ def stated_unit(comments: tuple[str, ...]) -> StatedUnit:
     """
     found: dict[Fraction, str] = {}
     odd: list[str] = []
-    for comment in dict.fromkeys(one[:_LONGEST] for one in comments):
+    for comment in dict.fromkeys(comments):
         for clause in _clauses(comment) if _MAY_STATE.search(comment) else ():
             size = _size_in(clause)
             if size is not None:

@@ -475,3 +475,15 @@ def test_a_table_of_pairs_says_each_unit(tmp_path: Path) -> None:
     with (tmp_path / "r.csv").open(newline="", encoding="utf-8") as stream:
         [row] = csv.DictReader(stream)
     assert row["unit"] == "m"
+
+
+def test_a_million_comments_take_no_time(tmp_path: Path) -> None:
+    import time
+
+    comments = b"# unit vector of a node [x]\n" * 1_000_000
+    (tmp_path / "a.obj").write_bytes(b"# unit cm\n" + comments + files.obj(files.SQUARE))
+    (tmp_path / "b.las").write_bytes(files.las(files.SQUARE, wkt="A[" + "1," * 30_000))
+    start = time.process_time()
+    assert read_surface(tmp_path / "a.obj").unit == "mm"
+    assert read_surface(tmp_path / "b.las").unit is None
+    assert time.process_time() - start < 5.0
