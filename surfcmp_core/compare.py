@@ -23,6 +23,7 @@ from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
+from surfcmp_core.system.memory import check_comparison
 from surfcmp_core.together import bring_together, carried
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
@@ -192,6 +193,7 @@ def compare(
     ----------
     Stages 1 to 6 of the paper's section 3.2; formulas (1) to (3).
     """
+    check_comparison(surface_1, surface_2, exact)
     progress = _explained(progress)
     clock = Clock(progress, read_seconds)
     with clock.stage("triangulate"):

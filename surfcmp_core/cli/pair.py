@@ -17,6 +17,7 @@ from surfcmp_core.progress import Progress
 from surfcmp_core.report import make_document
 from surfcmp_core.report.document import Document
 from surfcmp_core.surface import Surface
+from surfcmp_core.system.memory import check_comparison
 from surfcmp_core.together import bring_together, carried
 from surfcmp_core.used import used_part
 
@@ -107,6 +108,7 @@ def compare_surfaces(
     from surfcmp_core.cli.weight import read_weight
     from surfcmp_core.compare import compare
 
+    check_comparison(*surfaces, settings.exact)  # before they are moved and projected
     together = bring_together(used_part(surfaces[0]), used_part(surfaces[1]))
     surfaces, warnings = together.surfaces, together.warnings
     motion, alignment = _alignment(surfaces, settings.align, progress)

@@ -34,6 +34,7 @@ def write_all(contents: Mapping[Path, Callable[[BinaryIO], None]]) -> None:
     places = {path: Path(os.path.realpath(path)) for path in contents}
     staged = {path: beside(target) for path, target in places.items()}
     streams: dict[Path, BinaryIO] = {}
+    aside: dict[Path, Path] = {}
     path = Path()
     try:
         for folder in {target.parent for target in places.values()}:
@@ -44,18 +45,27 @@ def write_all(contents: Mapping[Path, Callable[[BinaryIO], None]]) -> None:
             write(streams[path])
             streams[path].flush()
             os.fsync(streams[path].fileno())  # else a power cut leaves a name without contents
+        if sys.platform == "win32":  # which moves no open file
+            for stream in streams.values():
+                stream.close()
         for path, target in places.items():
-            if sys.platform == "win32":  # which moves no open file
-                streams[path].close()
+            if target.is_dir():
+                raise OutputError(f"{one_line(path)}: is a folder")
+        for path, target in places.items():
+            _keep_aside(target, aside)
             os.replace(staged[path], target)
-    except OSError as fault:
-        raise OutputError(f"{one_line(path)}: {reason(fault)}") from fault
+    except BaseException as fault:
+        _put_back(aside)
+        if (first := _of_the_disk(fault)) is None:
+            raise
+        raise OutputError(f"{one_line(path)}: {reason(first)}") from fault
     finally:
         for stream in streams.values():
             with suppress(OSError):  # what could not be written cannot be flushed either
                 stream.close()
-        for temporary in staged.values():
-            temporary.unlink(missing_ok=True)
+        for temporary in (*staged.values(), *aside.values()):
+            with suppress(OSError):  # its folder has vanished, or may be written no more
+                temporary.unlink(missing_ok=True)
             _unfinished.discard(temporary)
 
 
@@ -63,6 +73,28 @@ def drop_unfinished() -> None:
     """Remove what is being written, where the process ends without unwinding."""
     for temporary in list(_unfinished):
         temporary.unlink(missing_ok=True)
+
+
+def _of_the_disk(fault: BaseException | None) -> OSError | None:
+    """Give what the disk said, of which a library may make another fault while it tidies up."""
+    while fault is not None and not isinstance(fault, OSError):
+        fault = fault.__cause__ or fault.__context__
+    return fault
+
+
+def _keep_aside(target: Path, aside: dict[Path, Path]) -> None:
+    """Give the old file a second name, from which it comes back if a later one cannot be moved."""
+    aside[target] = beside(target)
+    with suppress(OSError):  # there is none, or the disk knows no second names
+        os.link(target, aside[target])
+        _unfinished.add(aside[target])
+
+
+def _put_back(aside: Mapping[Path, Path]) -> None:
+    for target, old in aside.items():
+        with suppress(OSError):
+            if old.exists():
+                os.replace(old, target)
 
 
 def beside(target: Path) -> Path:
