@@ -94,7 +94,7 @@ class Actions(QObject):
         self._add(self.view_menu, self.tr("Triangles' sides"), self.toggle_edges, "E")
         self._add(self.view_menu, self.tr("Dark or light"), self.toggle_dark, "Ctrl+D")
         keep = self.tr("Keep the label")
-        self._add(self.view_menu, keep, lambda: window.showing.keep_probe(), "K")
+        self._add(self.view_menu, keep, lambda: window.places.keep(), "K")
         self.view_menu.addSeparator()
         tools = ((Tool.LOOK, "V"), (Tool.LASSO, "L"), (Tool.BRUSH, "B"), (Tool.SECTION, "S"))
         names_of = {

@@ -24,6 +24,7 @@ from app.controllers.display import Display
 from app.panels.alignment import AlignmentPanel
 from app.panels.banner import Banner
 from app.panels.chains import ChainsPanel
+from app.panels.dialogs import Dialogs
 from app.panels.dock import Dock, Docks
 from app.panels.empty import EmptyState
 from app.panels.measures import MeasuresPanel
@@ -40,12 +41,14 @@ from surfcmp_core.system.children import end_children
 
 if TYPE_CHECKING:
     from app.controllers.alignment import Alignment
+    from app.controllers.chains import Chains
     from app.controllers.exporting import Exporting
     from app.controllers.opening import Opening
+    from app.controllers.places import Places
     from app.controllers.regions import Regions
+    from app.controllers.scaling import Scaling
     from app.controllers.session import Session
     from app.controllers.sessions import Sessions
-    from app.controllers.showing import Showing
     from app.jobs.runner import Runner
 
 CLOSING_SECONDS = 0.3
@@ -57,7 +60,9 @@ class MainWindow(QMainWindow):
 
     session: "Session"
     opening: "Opening"
-    showing: "Showing"
+    scaling: "Scaling"
+    places: "Places"
+    chains_of: "Chains"
     exporting: "Exporting"
     regions_of: "Regions"
     alignment_of: "Alignment"
@@ -69,6 +74,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.resize(1360, 900)
         self.banner = Banner()
+        self.dialogs = Dialogs(self)
         self.empty = EmptyState()
         self.grid = ViewGrid(
             [
@@ -130,24 +136,68 @@ class MainWindow(QMainWindow):
     def start(self) -> None:
         """Load the core and tie it to the window, which is on the screen by then."""
         from app.controllers.alignment import Alignment
+        from app.controllers.captions import Captions
+        from app.controllers.chains import Chains
         from app.controllers.exporting import Exporting
+        from app.controllers.front import Front
         from app.controllers.opening import Opening
+        from app.controllers.places import Places
         from app.controllers.regions import Regions
+        from app.controllers.scaling import Scaling
+        from app.controllers.section import Section
         from app.controllers.session import Session
         from app.controllers.sessions import Sessions
-        from app.controllers.showing import Showing
+        from app.controllers.work import Work
 
         gc.disable()
         self.display.warm_up()
-        self.session = Session(self.display)
-        self.opening = Opening(self)
-        self.showing = Showing(self)
-        self.exporting = Exporting(self)
-        self.regions_of = Regions(self)
-        self.alignment_of = Alignment(self)
-        self.sessions = Sessions(self)
-        self.session.compared.connect(collect_garbage)
-        self.session.failed.connect(collect_garbage)
+        display, telling = self.display, self.banner
+        self.session = session = Session(display)
+        self.sessions = Sessions(session, display, telling, self.dialogs)
+        self.opening = Opening(session, telling, self.dialogs, self.sessions.open)
+        self.scaling = Scaling(session, display, self.scale)
+        self.places = Places(display, self.probes)
+        self.chains_of = Chains(session, display, self.chains)
+        self.regions_of = Regions(session, display, self.regions, telling, self.dialogs)
+        self.alignment_of = Alignment(session, display, self.alignment, self.regions_of, telling)
+        captions = Captions(display, self.grid.frames)
+        self.exporting = Exporting(session, display, self.grid, captions, telling, self.dialogs)
+        self._tied = (
+            captions,
+            Section(display, self.section),
+            Front(session, display, self, self.toolbar, self.measures, telling),
+            Work(
+                session,
+                self.opening,
+                self.toolbar,
+                self.empty,
+                self.options,
+                self.progress,
+                telling,
+            ),
+        )
+        session.changed.connect(self._show_steps)
+        self._show_steps()
+        session.compared.connect(collect_garbage)
+        session.failed.connect(collect_garbage)
+
+    def _show_steps(self) -> None:
+        history = self.session.history
+        self.actions_of.show_steps(history.undoable, history.redoable)
+        self.actions_of.swap.setEnabled(self.session.document.complete)
+
+    def show_views(self, there: bool) -> None:
+        """Show the views, or what to do where there is nothing to view."""
+        page = self.grid if there else self.empty
+        if self.pages.currentWidget() is not page:
+            self.pages.setCurrentWidget(page)
+            if there:
+                self.grid.setFocus()
+
+    def show_heading(self, title: str, summary: str) -> None:
+        """Show what is compared, and in short what came of it."""
+        self.setWindowTitle(title)
+        self.status.setText(summary)
 
     def _arrange(self, *groups: list[Dock]) -> None:
         """Put each group of panels behind one row of tabs; their names stand there."""

@@ -9,19 +9,23 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject
 
+from app.controllers.asking import Telling
+from app.controllers.display import Display
+from app.controllers.regions import Regions
+from app.controllers.session import Session
 from app.jobs.comparing import Compared
 from app.jobs.regions import region_mask
 from app.jobs.runner import Runner
 from app.model.document import FIT_KEYS, NOT_MOVED, Matrix, Motion
 from app.model.pair import Pair, Point
 from app.model.tool import Tool
+from app.panels.alignment import AlignmentPanel
 from surfcmp_core.errors import InputError
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.progress import Progress
 from surfcmp_core.together import carried
 
 if TYPE_CHECKING:
-    from app.window import MainWindow
     from surfcmp_core.alignment import Alignment as Found
 
 _DIGITS = 14
@@ -31,25 +35,35 @@ _DIGITS = 14
 class Alignment(QObject):
     """Landmarks, best fit and nudges; each is a step of the history."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(
+        self,
+        session: Session,
+        display: Display,
+        panel: AlignmentPanel,
+        regions: Regions,
+        telling: Telling,
+    ) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._panel = panel
+        self._regions = regions
+        self._telling = telling
         self.runner = Runner()
         self.runner.finished.connect(self._move)
-        self.runner.failed.connect(window.banner.tell)
+        self.runner.failed.connect(telling.tell)
         self._before: Measures | None = None
         self._paths: tuple[Path | None, Path | None] = (None, None)
-        panel, session = window.alignment, window.session
-        panel.tool_asked.connect(window.display.use)
+        panel.tool_asked.connect(display.use)
         panel.fit_asked.connect(self.best_fit)
         panel.landmarks_asked.connect(self.fit_landmarks)
         panel.clear_asked.connect(self.clear)
         panel.reset_asked.connect(lambda: self._move(NOT_MOVED))
         panel.nudged.connect(self.nudge)
-        window.display.tool_changed.connect(panel.show_tool)
-        window.display.landmark_picked.connect(self.add_landmark)
+        display.tool_changed.connect(panel.show_tool)
+        display.landmark_picked.connect(self.add_landmark)
         session.compared.connect(self._compared)
-        window.display.changed.connect(self._landmarks_changed)
+        display.changed.connect(self._landmarks_changed)
         self._marked: tuple[Pair, ...] = ()
         panel.show_pairs(self.pairs)
         self._show()
@@ -57,11 +71,11 @@ class Alignment(QObject):
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """The landmarks."""
-        return self._window.display.state.landmarks
+        return self._display.state.landmarks
 
     def add_landmark(self, surface: int, point: NDArray[np.float64]) -> None:
         """Take a place on a surface, in the comparison's coordinates."""
-        shown = self._window.session.shown
+        shown = self._session.shown
         if shown is None:
             return
         from surfcmp_core.linear_algebra import applied, inverse
@@ -72,7 +86,7 @@ class Alignment(QObject):
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
         pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
         pairs = (*(self.pairs[:-1] if last else self.pairs), pair)
-        self._window.display.change(landmarks=pairs)
+        self._display.change(landmarks=pairs)
 
     def _landmarks_changed(self) -> None:
         if self.pairs is not self._marked:
@@ -80,7 +94,7 @@ class Alignment(QObject):
 
     def _show_landmarks(self) -> None:
         self._marked = self.pairs
-        shown, marks = self._window.session.shown, []
+        shown, marks = self._session.shown, []
         if shown is not None:
             from surfcmp_core.linear_algebra import applied
 
@@ -90,36 +104,36 @@ class Alignment(QObject):
                     if point is not None:
                         place = applied(motions[view], np.array([point]))[0]
                         marks.append((view, place, str(k)))
-        self._window.display.set_landmarks(marks)
-        self._window.alignment.show_pairs(self.pairs)
+        self._display.set_landmarks(marks)
+        self._panel.show_pairs(self.pairs)
 
     def clear(self) -> None:
         """Forget the landmarks."""
-        self._window.display.change(landmarks=())
+        self._display.change(landmarks=())
 
     def fit_landmarks(self) -> None:
         """Move surface 2 so that its landmarks come nearest to those of 1."""
         from surfcmp_core.alignment import fit_landmarks
 
-        shown = self._window.session.shown
+        shown = self._session.shown
         whole = [(pair.one, pair.two) for pair in self.pairs if pair.one and pair.two]
         try:
             found = fit_landmarks([one for one, _ in whole], [two for _, two in whole])
         except InputError as error:
-            self._window.banner.tell(str(error))
+            self._telling.tell(str(error))
             return
         scale = 1.0 if shown is None else float(shown.comparison.surfaces[0].scale)
         # landmarks are where file 1 counts them
         self._move(_motion(found, found.matrix, "landmarks", scale))
-        self._window.display.use(Tool.LOOK)
+        self._display.use(Tool.LOOK)
 
     def best_fit(self, on_region: bool) -> None:
         """Move surface 2 by iterated closest points, from where it lies."""
-        shown, selected = self._window.session.shown, self._window.regions.selected
+        shown, selected = self._session.shown, self._regions.selected
         if shown is None:
             return
         if on_region and selected < 0:
-            self._window.banner.tell(self.tr("Draw a region first, or select one"), "note")
+            self._telling.tell(self.tr("Draw a region first, or select one"), "note")
             return
         number = selected if on_region else None
 
@@ -130,7 +144,7 @@ class Alignment(QObject):
 
     def nudge(self, axis: str, step: float) -> None:
         """Shift surface 2 by `step`, or turn it around the middle of the comparison."""
-        shown = self._window.session.shown
+        shown = self._session.shown
         if shown is None:
             return
         from surfcmp_core.linear_algebra import composed, dots, inverse, rotation
@@ -146,16 +160,16 @@ class Alignment(QObject):
             turn[:3, :3] = rotation(half)
             centre = shown.content.geometry.origin
             turn[:3, 3] = centre - dots(turn[:3, :3], centre)
-        old = np.array(self._window.session.document.motion.matrix)
+        old = np.array(self._session.document.motion.matrix)
         matrix = composed(inverse(frame), turn, frame, old)
-        method = self._window.session.document.motion.method
+        method = self._session.document.motion.method
         words = (
             "by hand" if method in {"none", "by hand"} else f"{method.split(',')[0]}, then by hand"
         )
         self._move(Motion(_matrix(matrix), words))
 
     def _move(self, motion: Motion) -> None:
-        session = self._window.session
+        session = self._session
         if session.shown is not None:
             self._before = session.shown.comparison.measures
         session.set_document(replace(session.document, motion=motion))
@@ -165,15 +179,15 @@ class Alignment(QObject):
             self._before = None
         if result.document.paths != self._paths:  # landmarks belong to their files
             self._paths = result.document.paths
-            self._window.display.change(landmarks=())
+            self._display.change(landmarks=())
         self._show_landmarks()
         self._show()
 
     def _show(self) -> None:
-        shown = self._window.session.shown
+        shown = self._session.shown
         now = None if shown is None else shown.comparison.measures
         motion = NOT_MOVED if shown is None else shown.document.motion
-        self._window.alignment.show_motion(motion, self._before, now, self._window.showing.unit)
+        self._panel.show_motion(motion, self._before, now, self._session.unit)
 
 
 def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -11,7 +11,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QStyle
 
 from app.model.tool import Tool
-from app.model.view_state import Place, ViewState
+from app.model.view_state import Place, Scale, ViewState
 from app.numbers import short
 from app.scene.camera import Camera, between, home, showing
 from app.scene.content import Content
@@ -105,14 +105,16 @@ class Display(QObject):
         """The camera of the pictures on the screen."""
         return self._seen
 
-    def set_content(self, content: Content | None) -> None:
+    def set_content(self, content: Content, unit: str, scale: Scale) -> None:
         """Show another comparison; the camera stays where the box is much the same."""
         old, self.content = self.content, content
-        if old is None or content is None or old.geometry is not content.geometry:
+        self.unit = unit
+        self.state = replace(self.state, scale=scale)
+        if old is None or old.geometry is not content.geometry:
             nothing = ViewState()
             names = ("picked", "probes", "chain", "brush", "section")
             self.state = replace(self.state, **{name: getattr(nothing, name) for name in names})
-        if content is not None and (old is None or not _alike(old, content)):
+        if old is None or not _alike(old, content):
             self._flight.stop()
             self._camera = home(content.geometry, self._aspect(), self.state.relief)
         self.changed.emit()

@@ -2,19 +2,20 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject
 from PySide6.QtGui import QImage, QPixmap
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
+from app import settings
+from app.controllers.asking import Asking, Telling
+from app.controllers.captions import Captions
+from app.controllers.display import Display
+from app.controllers.session import Session
 from app.jobs.exporting import Picture, export
 from app.jobs.runner import Runner
 from app.theme import theme
-
-if TYPE_CHECKING:
-    from app.window import MainWindow
-
+from app.views.grid import ViewGrid
 
 REPORTS = (".html", ".pdf")
 REPORT_DENSITY = 2
@@ -24,99 +25,101 @@ REPORT_DENSITY = 2
 class Exporting(QObject):
     """Reports, pictures and data of what is shown."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(
+        self,
+        session: Session,
+        display: Display,
+        grid: ViewGrid,
+        captions: Captions,
+        telling: Telling,
+        asking: Asking,
+    ) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._grid = grid
+        self._captions = captions
+        self._telling = telling
+        self._asking = asking
         self.runner = Runner()
         self.runner.finished.connect(self._finished)
-        self.runner.failed.connect(window.banner.tell)
-
-    @property
-    def hide_names(self) -> bool:
-        """Whether names and paths of files are left out."""
-        return self._window.actions_of.hide.isChecked()
+        self.runner.failed.connect(telling.tell)
 
     def ask(self, ending: str) -> None:
         """Ask for a file with this ending and write it."""
-        if self._window.session.shown is None:
-            self._window.banner.tell(self.tr("There is nothing to export yet"), "note")
-            return
-        name = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export"), f"comparison{ending}", f"*{ending}"
-        )[0]
-        if name:
-            self.write(Path(name).with_suffix(ending))
+        path = self._ask_place(self.tr("Export"), f"comparison{ending}")
+        if path is not None:
+            self.write(path.with_suffix(ending))
 
     def ask_report(self) -> None:
         """Ask for a name and write the report twice: as a page, and on paper."""
-        if self._window.session.shown is None:
-            self._window.banner.tell(self.tr("There is nothing to export yet"), "note")
-            return
-        name = QFileDialog.getSaveFileName(
-            self._window, self.tr("Report"), "comparison.html", "*.html"
-        )[0]
-        if name:
-            self.write(*(Path(name).with_suffix(ending) for ending in REPORTS))
+        path = self._ask_place(self.tr("Report"), "comparison.html")
+        if path is not None:
+            self.write(*(path.with_suffix(ending) for ending in REPORTS))
+
+    def _ask_place(self, title: str, start: str) -> Path | None:
+        if self._session.shown is None:
+            self._telling.tell(self.tr("There is nothing to export yet"), "note")
+            return None
+        return self._asking.place(title, start, f"*{Path(start).suffix}")[0]
 
     def write(self, *paths: Path) -> None:
         """Write what is shown now, all files or none; the endings say the formats."""
-        result, hide = self._window.session.shown, self.hide_names
+        result, hide = self._session.shown, settings.names_hidden()
         if result is None:
             return
-        state = self._window.display.state
+        state = self._display.state
 
         def begin(pictures: list[Picture]) -> None:
             self.runner.start(lambda _progress: export(result, state, paths, pictures, hide))
 
         if any(path.suffix in REPORTS for path in paths):
-            display = self._window.display
+            display = self._display
             display.print(REPORT_DENSITY, lambda: begin(self.pictures(REPORT_DENSITY)), light=True)
         else:
             begin([])
 
     def ask_views(self, density: int) -> None:
         """Ask for a file and write the views as one picture, so many times as fine as here."""
-        name = QFileDialog.getSaveFileName(
-            self._window, self.tr("Picture of the views"), "views.png", "*.png"
-        )[0]
-        if name:
-            path = Path(name).with_suffix(".png")
-            self._window.display.print(density, lambda: self.write_views(path, density))
+        name = self._asking.place(self.tr("Picture of the views"), "views.png", "*.png")[0]
+        if name is not None:
+            path = name.with_suffix(".png")
+            self._display.print(density, lambda: self.write_views(path, density))
 
     def write_views(self, path: Path, density: int) -> None:
         """Write the views as they stand, with `density` times the pixels of the screen."""
         if self.picture_of_views(density).save(str(path)):
             self._finished(str(path))
         else:
-            self._window.banner.tell(self.tr("{} cannot be written").format(path.name))
+            self._telling.tell(self.tr("{} cannot be written").format(path.name))
 
     def picture_of_views(self, density: int) -> QPixmap:
         """Return the views with their titles."""
-        grid = self._window.grid
-        if self.hide_names:
+        grid, hide = self._grid, settings.names_hidden()
+        if hide:
             for frame in grid.frames[:2]:
                 frame.title.set_texts(frame.title.text, "")
         picture = _drawn(grid, density)
-        if self.hide_names:
-            self._window.display.changed.emit()  # the names are shown again
+        if hide:
+            self._display.changed.emit()  # the names are shown again
         return picture
 
     def pictures(self, density: int) -> list[Picture]:
         """Return each visible view with its scale and legend, light as paper, as PNG files."""
-        grid, showing, state = self._window.grid, self._window.showing, self._window.display.state
+        grid, captions, state = self._grid, self._captions, self._display.state
         grid.dress(theme(False))
-        showing.explain(replace(state, dark=False))
+        captions.explain(replace(state, dark=False))
         found = [
             (frame.title.text, _png(_drawn(frame.canvas, density).toImage()))
             for frame in grid.frames
             if frame.isVisible()
         ]
         grid.dress(theme(state.dark))
-        showing.explain(state)
+        captions.explain(state)
         return found
 
     def _finished(self, names: str) -> None:
-        self._window.banner.tell(self.tr("Saved {}").format(names), "note")
+        self._telling.tell(self.tr("Saved {}").format(names), "note")
 
 
 def _drawn(widget: QWidget, density: int) -> QPixmap:

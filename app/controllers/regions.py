@@ -2,23 +2,21 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QColor, QGuiApplication
-from PySide6.QtWidgets import QColorDialog, QFileDialog
+from PySide6.QtGui import QGuiApplication
 
+from app.controllers.asking import Asking, Telling
+from app.controllers.display import Display
+from app.controllers.session import Session
 from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.region import Region, Stroke
 from app.model.session_file import regions_from, regions_text, write
 from app.model.tool import Tool
-from app.panels.regions import COLOURS
+from app.panels.regions import COLOURS, RegionsPanel
 from surfcmp_core.errors import InputError
 from surfcmp_core.system.whole_files import OutputError
-
-if TYPE_CHECKING:
-    from app.window import MainWindow
 
 FINEST = 0.1
 """A brush's path is kept to this share of its radius."""
@@ -28,32 +26,42 @@ TAKING_KEYS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.AltModifie
 class Regions(QObject):
     """Each stroke, name, colour and weight is a step of the history."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
-        panel = window.regions
-        panel.tool_asked.connect(window.display.use)
+    def __init__(
+        self,
+        session: Session,
+        display: Display,
+        panel: RegionsPanel,
+        telling: Telling,
+        asking: Asking,
+    ) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._panel = panel
+        self._telling = telling
+        self._asking = asking
+        panel.tool_asked.connect(display.use)
         panel.renamed.connect(lambda k, name: self._change(k, name=name or self._name()))
         panel.weighed.connect(self._weigh)
         panel.coloured.connect(self.colour)
         panel.remove_asked.connect(self.remove)
         panel.save_asked.connect(self._ask_save)
         panel.load_asked.connect(self._ask_load)
-        panel.radius.changed.connect(window.display.set_brush)
-        window.display.tool_changed.connect(panel.show_tool)
-        window.display.path_drawn.connect(self.draw)
-        window.session.compared.connect(self._compared)
+        panel.radius.changed.connect(display.set_brush)
+        display.tool_changed.connect(panel.show_tool)
+        display.path_drawn.connect(self.draw)
+        session.compared.connect(self._compared)
         self._sized = False
 
     @property
     def document(self) -> Document:
         """The document in force."""
-        return self._window.session.document
+        return self._session.document
 
     @property
     def selected(self) -> int:
         """The number of the selected region; -1 for none."""
-        selected = self._window.regions.selected
+        selected = self._panel.selected
         return selected if selected < len(self.document.regions) else -1
 
     def draw(self, tool: Tool, path: tuple[tuple[float, float], ...]) -> None:
@@ -62,15 +70,15 @@ class Regions(QObject):
         A brush adds to the selected region; each lasso is a region of its own. With the key
         Shift or Alt held, or "Take away" on, both take away from the selected region.
         """
-        takes = self._window.regions.take.isChecked()
+        takes = self._panel.take.isChecked()
         takes |= bool(QGuiApplication.keyboardModifiers() & TAKING_KEYS)
         if tool is Tool.LASSO and len(path) > 2:
             self._add(Stroke(path, takes=takes), fresh=not takes)
         elif tool is Tool.BRUSH and path:
-            radius = self._window.regions.radius.value
+            radius = self._panel.radius.value
             self._add(Stroke(thinned(path, FINEST * radius), radius, takes), fresh=False)
         elif tool is Tool.SECTION and len(path) > 1:
-            self._window.display.change(section=(*path[0], *path[-1]))
+            self._display.change(section=(*path[0], *path[-1]))
 
     def remove(self, number: int) -> None:
         """Remove a region."""
@@ -81,11 +89,10 @@ class Regions(QObject):
     def colour(self, number: int, colour: tuple[int, int, int] | None) -> None:
         """Give a region a colour; None asks for it."""
         if colour is None:
-            old = QColor(*self.document.regions[number].colour)
-            chosen = QColorDialog.getColor(old, self._window, self.tr("Colour of the region"))
-            if not chosen.isValid():
+            old = self.document.regions[number].colour
+            colour = self._asking.colour(self.tr("Colour of the region"), old)
+            if colour is None:
                 return
-            colour = (chosen.red(), chosen.green(), chosen.blue())
         self._change(number, colour=colour)
 
     def save(self, path: Path) -> None:
@@ -93,16 +100,16 @@ class Regions(QObject):
         try:
             write(path, regions_text(self.document.regions))
         except OutputError as error:
-            self._window.banner.tell(str(error))
+            self._telling.tell(str(error))
 
     def load(self, path: Path) -> None:
         """Add the regions of a file."""
         try:
             found = regions_from(path.read_text(encoding="utf-8"), path.name)
         except (OSError, UnicodeDecodeError) as error:
-            self._window.banner.tell(self.tr("{}: cannot be read ({})").format(path.name, error))
+            self._telling.tell(self.tr("{}: cannot be read ({})").format(path.name, error))
         except InputError as error:
-            self._window.banner.tell(str(error))
+            self._telling.tell(str(error))
         else:
             self._set(self.document.regions + found)
 
@@ -110,7 +117,7 @@ class Regions(QObject):
         """Add a stroke to the selected region, or begin a `fresh` one with it."""
         regions, selected = list(self.document.regions), self.selected
         if stroke.takes and selected < 0:
-            self._window.banner.tell(self.tr("Select the region to take away from"), "note")
+            self._telling.tell(self.tr("Select the region to take away from"), "note")
             return
         if fresh or selected < 0:
             colour = COLOURS[len(regions) % len(COLOURS)]
@@ -130,8 +137,8 @@ class Regions(QObject):
     def _weigh(self, number: int, weight: float) -> None:
         if weight >= 0:
             self._change(number, weight=weight)
-        elif self._window.session.shown is not None:
-            self._compared(self._window.session.shown)
+        elif self._session.shown is not None:
+            self._compared(self._session.shown)
 
     def _change(self, number: int, **changes: object) -> None:
         regions = list(self.document.regions)
@@ -139,29 +146,27 @@ class Regions(QObject):
         self._set(tuple(regions))
 
     def _set(self, regions: tuple[Region, ...]) -> None:
-        self._window.session.set_document(replace(self.document, regions=regions))
+        self._session.set_document(replace(self.document, regions=regions))
 
     def _compared(self, result: Compared) -> None:
-        panel, unit = self._window.regions, self._window.showing.unit
+        panel, unit = self._panel, self._session.unit
         panel.show_regions(result.regions, result.comparison.measures, unit)
         if not self._sized:
             size = result.content.geometry.high - result.content.geometry.low
             radius = float(f"{0.05 * max(size[:2]):.1g}")
             panel.radius.show_value(radius)
-            self._window.display.set_brush(radius)
+            self._display.set_brush(radius)
             self._sized = True
 
     def _ask_save(self) -> None:
-        name = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save the regions"), "regions.json", "*.json"
-        )[0]
-        if name:
-            self.save(Path(name))
+        path, _ = self._asking.place(self.tr("Save the regions"), "regions.json", "*.json")
+        if path is not None:
+            self.save(path)
 
     def _ask_load(self) -> None:
-        name = QFileDialog.getOpenFileName(self._window, self.tr("Load regions"), "", "*.json")[0]
-        if name:
-            self.load(Path(name))
+        path = self._asking.file(self.tr("Load regions"), kinds="*.json")
+        if path is not None:
+            self.load(path)
 
 
 def thinned(path: tuple[tuple[float, float], ...], step: float) -> tuple[tuple[float, float], ...]:

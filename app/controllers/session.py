@@ -13,8 +13,10 @@ from app.jobs.comparing import Compared, compared
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.history import History, Step
-from app.model.view_state import KEPT, ViewState
+from app.model.view_state import KEPT, Scale, ViewState
 from app.scene.camera import Camera
+from app.scene.distribution import fitting_limit
+from surfcmp_core.report.document import unit_of
 
 MERGED_SECONDS = 0.6
 """Changes of the scale that follow each other so fast are one drag, and one step."""
@@ -30,7 +32,7 @@ class Session(QObject):
     changed = Signal()
     """Another step is in force, or work has begun or ended."""
     compared = Signal(object)
-    """Compared: a comparison is finished."""
+    """Compared: a comparison is finished; the display has it next."""
     failed = Signal(str)
 
     def __init__(self, display: Display) -> None:
@@ -47,6 +49,8 @@ class Session(QObject):
         self._restores = False
         """Whether the view of the step is to be restored with its comparison."""
         self._last = 0.0
+        self._fitted: tuple[Path | None, Path | None] = (None, None)
+        """The pair that the range was last fitted to."""
         display.changed.connect(self._keep_view)
         self.runner.finished.connect(self._finish)
         self.runner.failed.connect(self._fail)
@@ -56,6 +60,11 @@ class Session(QObject):
     def document(self) -> Document:
         """The document in force."""
         return self.history.current.document
+
+    @property
+    def unit(self) -> str:
+        """The length unit of the numbers shown; empty where nothing is."""
+        return "" if self.shown is None else unit_of(self.shown.comparison)
 
     def open(self, paths: Sequence[Path], number: int | None = None) -> None:
         """Take in one surface as `number` (or the one missing), or two as both."""
@@ -138,11 +147,20 @@ class Session(QObject):
         view = self.history.current.view
         self._follows = True
         self.compared.emit(result)
+        self._display.set_content(result.content, self.unit, self._scale_of(result))
         if self._restores:
             self._restore(view)
         self._follows = False
         self.history.amend(self._display.state.kept)
         self.changed.emit()
+
+    def _scale_of(self, result: Compared) -> Scale:
+        """Give the scale for a result: its range fits a new pair, unless the user fixed it."""
+        scale = replace(self._display.state.scale, tolerances=result.document.options.tolerances)
+        if not scale.pinned and result.document.paths != self._fitted:
+            scale = replace(scale, limit=fitting_limit(result.content.distributions.absolute))
+        self._fitted = result.document.paths
+        return scale
 
     def _restore(self, view: ViewState) -> None:
         """Look at what is shown as its step says."""

@@ -3,12 +3,13 @@
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from platformdirs import user_state_path
 from PySide6.QtCore import QObject, QTimer
-from PySide6.QtWidgets import QFileDialog
 
+from app.controllers.asking import Asking, Telling
+from app.controllers.display import Display
+from app.controllers.session import Session
 from app.jobs.keeping import Fault, Located, Opened, open_session, save_session
 from app.jobs.kept import Kept
 from app.jobs.runner import Runner
@@ -16,9 +17,6 @@ from app.model.session_file import ENDING, Eye, from_text, to_text, write
 from app.scene.camera import Camera
 from surfcmp_core.errors import InputError
 from surfcmp_core.system.whole_files import OutputError
-
-if TYPE_CHECKING:
-    from app.window import MainWindow
 
 AUTOSAVE_MILLISECONDS = 3000
 Paths = tuple[Path | None, Path | None]
@@ -29,26 +27,31 @@ SMALL = 64 << 20
 class Sessions(QObject):
     """Keeps what the user does."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(
+        self, session: Session, display: Display, telling: Telling, asking: Asking
+    ) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._telling = telling
+        self._asking = asking
         self.kept = Kept(user_state_path("surfcmp", appauthor=False) / "windows")
         self.saving, self.opening = Runner(), Runner()
         self.saving.finished.connect(self._saved)
         self.opening.finished.connect(self._opened)
         for runner in (self.saving, self.opening):
-            runner.failed.connect(window.banner.tell)
+            runner.failed.connect(telling.tell)
         self._located: Located = {}
         self._place: tuple[Path, Paths, bool] | None = None
         """Where the session lies, which surfaces it is about, whether it holds their scans."""
         self._later = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
         self._later.timeout.connect(self._save_now)
-        window.session.changed.connect(self._later.start)
-        window.display.changed.connect(self._later.start)
+        session.changed.connect(self._later.start)
+        display.changed.connect(self._later.start)
 
     def save_again(self) -> None:
         """Save the session where it was saved or opened; ask where it is another pair's."""
-        paths = self._window.session.document.paths
+        paths = self._session.document.paths
         if self._place is not None and self._place[1] == paths:
             self.save(self._place[0], embed=self._place[2])
         else:
@@ -56,26 +59,26 @@ class Sessions(QObject):
 
     def ask_save(self) -> None:
         """Ask where to, and whether with the scans, and save the session."""
-        if not self._window.session.document.complete:
-            self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
+        if not self._session.document.complete:
+            self._telling.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
-        paths = self._window.session.document.paths
+        paths = self._session.document.paths
         size = sum(path.stat().st_size for path in paths if path is not None and path.is_file())
         text = self.tr("Session with its scans, {:.1f} MB (*{})").format(size / 1e6, ENDING)
         kinds = [text, self.tr("Session without its scans (*{})").format(ENDING)]
         if size > SMALL:
             kinds.reverse()
-        name, kind = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save the session"), f"comparison{ENDING}", ";;".join(kinds)
+        path, kind = self._asking.place(
+            self.tr("Save the session"), f"comparison{ENDING}", ";;".join(kinds)
         )
-        if name:
-            self.save(Path(name).with_suffix(ENDING), embed=(kind or kinds[0]) == text)
+        if path is not None:
+            self.save(path.with_suffix(ENDING), embed=(kind or kinds[0]) == text)
 
     def save(self, path: Path, *, embed: bool = True) -> None:
         """Save the session beside the window, completely or not at all."""
-        document, state = self._window.session.document, self._window.display.state
+        document, state = self._session.document, self._display.state
         if not document.complete:
-            self._window.banner.tell(self.tr("There are no two surfaces to save yet"), "note")
+            self._telling.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
         self._place = (path, document.paths, embed)
         work = partial(save_session, path, document, state, self._hashes(), self._eye(), embed)
@@ -83,11 +86,9 @@ class Sessions(QObject):
 
     def ask_open(self) -> None:
         """Ask for a session and open it."""
-        name = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open a session"), "", f"*{ENDING}"
-        )[0]
-        if name:
-            self.open(Path(name))
+        path = self._asking.file(self.tr("Open a session"), kinds=f"*{ENDING}")
+        if path is not None:
+            self.open(path)
 
     def open(self, path: Path, located: Located | None = None) -> None:
         """Open a session; `located` says where the user found scans that were not in place."""
@@ -105,7 +106,7 @@ class Sessions(QObject):
             from_text(rescued.read_text(encoding="utf-8"), rescued.parent, rescued.name)
         except (OSError, UnicodeDecodeError, InputError):
             return False
-        self._window.banner.ask(
+        self._telling.ask(
             self.tr("The last session did not end properly."),
             self.tr("Restore it"),
             lambda: self.open(rescued),
@@ -118,7 +119,7 @@ class Sessions(QObject):
         self.kept.close()
 
     def _saved(self, path: Path) -> None:
-        self._window.banner.tell(self.tr("Saved {}").format(path), "note")
+        self._telling.tell(self.tr("Saved {}").format(path), "note")
 
     def _opened(self, opened: Opened) -> None:
         if opened.fault is not None:
@@ -126,16 +127,16 @@ class Sessions(QObject):
             return
         if not opened.document.complete:
             text = self.tr("{}: there are no two surfaces in it").format(opened.path.name)
-            self._window.banner.tell(text)
+            self._telling.tell(text)
             return
-        self._window.banner.hide()
+        self._telling.hide()
         if opened.path.parent != self.kept.folder:
             self._place = (opened.path, opened.document.paths, opened.embedded)
         camera = None
         if opened.camera is not None:
             focus, back, up, (height,) = opened.camera
             camera = Camera(_three(focus), _three(back), _three(up), height)
-        self._window.session.restore(opened.document, opened.state, camera)
+        self._session.restore(opened.document, opened.state, camera)
 
     def _ask_for_scan(self, path: Path, fault: Fault) -> None:
         """Say what is amiss with a scan, and offer what can be done."""
@@ -150,23 +151,23 @@ class Sessions(QObject):
             answer, work = self.tr("Use it all the same"), partial(self.open, path, located)
         else:
             answer, work = self.tr("Locate…"), partial(self._ask_where, path, fault, located)
-        self._window.banner.ask(texts[fault.kind].format(fault.name), answer, work)
+        self._telling.ask(texts[fault.kind].format(fault.name), answer, work)
 
     def _ask_where(self, path: Path, fault: Fault, located: dict[int, tuple[Path, bool]]) -> None:
         title = self.tr("Where is {}?").format(fault.name)
         start = str(fault.path or path.parent)
-        name = QFileDialog.getOpenFileName(self._window, title, start)[0]
-        if name:
-            self.open(path, {**located, fault.number: (Path(name), False)})
+        found = self._asking.file(title, start)
+        if found is not None:
+            self.open(path, {**located, fault.number: (found, False)})
 
     def _save_now(self) -> None:
         """Save the session, without its scans, in case the program does not end properly."""
-        session = self._window.session
+        session = self._session
         if not session.document.complete:
             return
         try:
             self.kept.begin()
-            state = self._window.display.state
+            state = self._display.state
             here = self.kept.folder.absolute()
             text = to_text(session.document, state, self._hashes(), here, self._eye())
             write(self.kept.autosave, text)
@@ -174,12 +175,12 @@ class Sessions(QObject):
             self._later.stop()  # a full disk must not disturb the work
 
     def _eye(self) -> Eye:
-        camera = self._window.display.camera
+        camera = self._display.camera
         return camera.focus, camera.back, camera.up, (camera.height,)
 
     def _hashes(self) -> tuple[str, str]:
         """Return the SHA-256 of the inputs, empty where they were not read yet."""
-        session = self._window.session
+        session = self._session
         shown = session.shown
         if shown is None or shown.document.paths != session.document.paths:
             return "", ""

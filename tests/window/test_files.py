@@ -53,7 +53,7 @@ def test_a_session_restores_everything(
     sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
     sample.display._pick(3, 0.0, 0.0)
-    sample.showing.keep_probe()
+    sample.places.keep()
     sample.alignment_of.add_landmark(1, sample.session.shown.content.geometry.origin)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):

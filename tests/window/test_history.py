@@ -182,7 +182,7 @@ def test_labels_and_section_come_back_with_their_surfaces(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
     sample.display._pick(3, 0.0, 0.0)
-    sample.showing.keep_probe()
+    sample.places.keep()
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), heatmap=Heatmap.ABSOLUTE)
     before = sample.display.state
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):

@@ -84,7 +84,7 @@ def test_one_dropped_file_asks_where_both_places_are_taken(
     before = sample.session.document.paths
     drop(sample, files[0])
     assert sample.session.document.paths == before
-    menu = sample.opening.question
+    menu = sample.dialogs.question
     qtbot.waitUntil(menu.isVisible)
     choice = next(a for a in menu.actions() if "2" in a.text() and not a.isSeparator())
     with qtbot.waitSignal(sample.session.runner.cancelled, timeout=PATIENCE):
