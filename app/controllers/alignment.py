@@ -238,7 +238,8 @@ def _motion(found: "Found", matrix: NDArray[np.float64], method: str, scale: flo
     lengths = {key: record[key] * scale for key in ("rms_kept", "rms_region", "shifted")}
     marks = [{**mark, "residual": mark["residual"] * scale} for mark in record["landmarks"]]
     fit = {key: record[key] for key in FIT_KEYS} | lengths | {"landmarks": marks}
-    return Motion(_matrix(matrix), method, lengths["rms_kept"], found.inliers, fit)
+    fixed = {key: tuple(part) if isinstance(part, list) else part for key, part in fit.items()}
+    return Motion(_matrix(matrix), method, lengths["rms_kept"], found.inliers, fixed)
 
 
 def _matrix(array: NDArray[np.float64]) -> Matrix:

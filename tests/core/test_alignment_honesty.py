@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.__main__ import main
 from surfcmp_core import read_surface
 from surfcmp_core.alignment import best_fit, fit_landmarks, record_of_motion
 from surfcmp_core.errors import InputError
@@ -101,9 +102,6 @@ def test_samples_are_held_and_fit_without_a_doubt(pair):
     assert found.doubts == ()
 
 
-FIT = {"turned": (0.0, 30.5), "agreement": (0.5, 1.0), "residual": (0.0, 1.0)}
-
-
 @settings(max_examples=12, deadline=None)
 @given(st.integers(0, 2**16), st.floats(1.0, 25.0))
 def test_from_nearby_there_is_no_doubt(seed, degrees):
@@ -192,3 +190,28 @@ def test_records_have_the_same_keys_whatever_is_known():
     assert known.keys() == nothing.keys()
     assert json.loads(json.dumps(known, allow_nan=False)) == known
     assert fit_rows(nothing, "mm") == [("method", "none")]
+
+
+def test_every_output_tells_of_a_doubtful_fit(tmp_path, capsys):
+    face = thin_random(sample(), 0.2, seed=1)
+    other = moved(face, turn_about(np.array(AXES["z"]), 150.0, face.points.mean(axis=0)))
+    files = [str(tmp_path / name) for name in ("one.npy", "two.npy")]
+    for file, surface in zip(files, (face, other), strict=True):
+        np.save(file, surface.points)
+    outs = [tmp_path / f"result{ending}" for ending in (".json", ".html")]
+    asked = ["--align", "icp", "--project", "auto"]
+    assert main(["compare", *files, *asked, *(f"--out={out}" for out in outs)]) == 0
+    table = " ".join(capsys.readouterr().out.split())
+    document = json.loads(outs[0].read_text(encoding="utf-8"))
+    found = document["alignment"]
+    assert found["method"] == "icp overlap"
+    assert found["doubts"]
+    for doubt in found["doubts"]:
+        assert f"--align icp: {doubt}" in document["warnings"]
+        assert doubt in table
+        assert doubt in outs[1].read_text(encoding="utf-8")
+    for name, _ in fit_rows(found, "mm"):
+        assert name in table
+    rows = tmp_path / "pairs.csv"
+    assert main(["batch", *files, *asked, "--quiet", "--out", str(rows)]) == 0
+    assert found["doubts"][0] in rows.read_text(encoding="utf-8")

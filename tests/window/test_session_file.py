@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.jobs.keeping import open_session, save_session
-from app.model.document import Document, Motion
+from app.model.document import FIT_KEYS, Document, Motion
 from app.model.pair import Pair
 from app.model.region import Region, Stroke
 from app.model.session_file import Eye, from_text, regions_from, regions_text, to_text, write
@@ -235,3 +235,28 @@ def test_another_file_is_no_longer_moved():
     assert moved.with_path(1, Path("/c")).motion == Motion()
     assert moved.swapped().paths == (Path("/b"), Path("/a"))
     assert replace(moved, unit="m").motion == moved.motion
+
+
+FIT = dict.fromkeys(FIT_KEYS, 0.5) | {
+    "landmarks": ({"name": "1", "residual": 0.25},),
+    "free": ("turn about x",),
+    "doubts": ("as by chance",),
+    "pairs": 12,
+    "converged": True,
+}
+
+
+def test_what_a_fit_says_of_itself_comes_back(tmp_path: Path) -> None:
+    document = Document(paths=(None, None), motion=Motion(method="best fit", fit=FIT))
+    text = to_text(document, ViewState(), ("", ""), tmp_path)
+    assert from_text(text, tmp_path, "s").document.motion == document.motion
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"pairs": "many"}, {"free": [3]}, {"landmarks": [{"name": "1"}]}, {"else": 1.0}]
+)
+def test_an_account_of_a_fit_that_is_none_is_refused(tmp_path: Path, wrong: dict) -> None:
+    document = Document(paths=(None, None), motion=Motion(method="best fit", fit=FIT | wrong))
+    text = to_text(document, ViewState(), ("", ""), tmp_path)
+    with pytest.raises(InputError, match="not a session"):
+        from_text(text, tmp_path, "s")
