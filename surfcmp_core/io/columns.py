@@ -16,13 +16,14 @@ from surfcmp_core.io.headings import (
     axes_among,
     heading_of,
 )
-from surfcmp_core.io.lead import Lead, lead_of, split, splittings
+from surfcmp_core.io.lead import MOST_COLUMNS, Lead, lead_of, split, splittings
 from surfcmp_core.io.notation import is_number, is_odd, numbers_in, refuse_thousands
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.text import decode, filled_lines, quoted
 from surfcmp_core.io.units import unit_in
 
-_MOST_COLUMNS = 1000
+_MOST_COMMENTS = 100
+_LONGEST_HEADER = 20_000
 _SAMPLE = 50
 """Rows that are looked at to tell a number of the point from a coordinate."""
 _REST_OF_THOUSANDS = re.compile(r"\d{3}[.,]\d*")
@@ -47,8 +48,8 @@ def read_columns(data: bytes, *, weights: bool = False) -> Raw:
         raise InputError(f"{lead.declared} rows declared, {len(rows)} found")
     first = split(rows[0], lead.delimiter)
     width = _filled(first)
-    if not 3 <= width <= _MOST_COLUMNS:
-        number = "three columns or more" if width < 3 else f"at most {_MOST_COLUMNS} columns"
+    if not 3 <= width <= MOST_COLUMNS:
+        number = "three columns or more" if width < 3 else f"at most {MOST_COLUMNS} columns"
         raise InputError(f"{number} expected, {width} in the row {quoted(rows[0])}")
     heading = _heading(lead, rows, first, WEIGHTS if weights else HEIGHTS)
     sample = [split(row, lead.delimiter) for row in rows[:_SAMPLE]]
@@ -79,14 +80,19 @@ def _heading(
     """
     width = _filled(first)
     below: list[str] = []
+    comments = 0
     for row, comment in reversed(lead.rows):
+        comments += comment
+        if comment and comments > _MOST_COMMENTS:
+            continue  # of so many none is a heading
+        row = row[:_LONGEST_HEADER]
         header = f"its header {quoted(row.strip(), 80)}"
         misfit = None
         named = 0
         for fields in splittings(_TITLE.sub("", row, count=1) if comment else row, lead.delimiter):
             count = _filled(fields)
             named = max(named, count)
-            if comment and not 3 <= count <= len(first):
+            if count > MOST_COLUMNS or (comment and not 3 <= count <= len(first)):
                 continue
             try:
                 found = heading_of(fields, below, heights)

@@ -12,6 +12,8 @@ from surfcmp_core.io.text import quoted
 
 _COMMENT = re.compile(r"\s*(?:#+|//+|%+)")
 _SEPARATOR = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+MOST_COLUMNS = 1000
+"""More are no table of nodes."""
 _AHEAD = 1000
 _MOST = 100
 """Rows without numbers that may stand ahead."""
@@ -64,7 +66,7 @@ def lead_of(text: str) -> Lead:
         elif line.strip():
             lead.delimiter = given or delimiter_of(line)
             fields = split(line, lead.delimiter)
-            numbers = sum(map(is_number, fields))
+            numbers = _count_numbers(fields)
             if len(fields) == 1 and fields[0].isdecimal() and lead.declared is None:
                 lead.declared = int(fields[0][:18])
             elif (numbers >= 3 or numbers == len(fields)) and not _counts(
@@ -88,13 +90,13 @@ def delimiter_of(row: str) -> str | None:
     blank = split(row, None)
     if "\t" in row:
         tab = split(row, "\t")
-        if sum(map(is_number, tab)) >= 3 and ("," in row or len(tab) != len(blank)):
+        if _count_numbers(tab) >= 3 and ("," in row or len(tab) != len(blank)):
             return "\t"
     if "," not in row:
         return None
     comma = split(row, ",")
-    decimals = sum(map(is_number, blank)) >= 3 and not any(one.endswith(",") for one in blank)
-    if decimals and (sum(map(is_number, comma)) < 3 or any(" " in one for one in comma)):
+    decimals = _count_numbers(blank) >= 3 and not any(one.endswith(",") for one in blank)
+    if decimals and (_count_numbers(comma) < 3 or any(" " in one for one in comma)):
         return None
     return ","
 
@@ -124,6 +126,10 @@ def splittings(row: str, delimiter: str | None) -> Iterator[list[str]]:
         else:
             merged.append(word.strip('"'))
     yield merged
+
+
+def _count_numbers(fields: list[str]) -> int:
+    return sum(map(is_number, fields[:MOST_COLUMNS]))
 
 
 def _counts(fields: list[str], after: str) -> bool:

@@ -146,8 +146,9 @@ def refuse_thousands(
 
 def _may_be_thousands(values: NDArray[np.float64]) -> bool:
     """Tell whether all are 0, or from 1 to 999.999 with three decimals at most."""
-    thousandths = values * 1000.0
-    near = np.abs(thousandths - np.rint(thousandths)) < 1e-6
+    with np.errstate(all="ignore"):
+        thousandths = values * 1000.0
+        near = np.abs(thousandths - np.rint(thousandths)) < 1e-6
     return bool(((values == 0) | (near & (values >= 1.0) & (values < 1000.0))).all())
 
 

@@ -1,5 +1,7 @@
 """Tables as people have them: headings in any usual way are understood, others refused."""
 
+import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -215,3 +217,23 @@ def test_ragged_rows_have_status_3_and_the_file_named(tmp_path: Path):
     with pytest.raises(InputError) as caught:
         read_surface(path)
     assert str(caught.value) == f"{path}: 3 columns, x, y and z numbers, expected in the row '0,1'"
+
+
+LONG = {
+    "comments": "# x y z unit (mm)\n" * 100_000 + "0 0 1.5\n1 0 0\n0 1 0\n",
+    "units": "mm " * 500_000 + "\n0 0 0\n",
+    "columns": "0 " * 500_000 + "\n",
+    "names": "x," * 500_000 + "\n0,0,0\n",
+    "brackets": "x " + "(" * 500_000 + "\n0 0 0\n",
+    "blanks": "x" + " " * 500_000 + "y\tz\n0 0 0\n",
+    "titles": "a\n" * 500_000,
+    "commas": "," * 500_000 + "\n",
+}
+
+
+@pytest.mark.parametrize("case", LONG)
+def test_nothing_ahead_takes_long(case: str):
+    start = time.process_time()
+    with suppress(InputError):
+        read_columns(LONG[case].encode())
+    assert time.process_time() - start < 2.0
