@@ -104,7 +104,10 @@ def delimiter_of(row: str) -> str | None:
 def split(row: str, delimiter: str | None) -> list[str]:
     """Part a row into its fields, without quotes and blanks around."""
     if delimiter:
-        fields = next(csv.reader([row], delimiter=delimiter, skipinitialspace=True))
+        try:
+            fields = next(csv.reader([row], delimiter=delimiter, skipinitialspace=True))
+        except csv.Error as error:  # a field longer than any table has
+            raise InputError(f"a row cannot be read: {error}") from None
     elif '"' in row:
         fields = re.findall(r'"[^"]*"|[^\s"]+', row)
     else:

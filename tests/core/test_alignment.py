@@ -287,7 +287,7 @@ JAWS = ("jaw_crowns_ref_L0", "jaw_crowns_pred_L0")
 MADE_JAWS = ("made_jaw", "made_jaw_later")
 
 
-@pytest.mark.parametrize(("names", "seed"), [(JAWS, 0), (JAWS, 6), (MADE_JAWS, 0), (MADE_JAWS, 8)])
+@pytest.mark.parametrize(("names", "seed"), [(JAWS, 0), (JAWS, 6), (MADE_JAWS, 0), (MADE_JAWS, 7)])
 def test_unlike_jaws_turned_about_a_far_centre_settle(scan, names, seed):
     # step by step they would creep along for more than sixty rounds
     reference, predicted = map(scan, names)

@@ -128,4 +128,4 @@ def test_real_scans(shared: Path):
     for path in (shared / "data").glob("*.npz"):
         surface = read_surface(path)
         assert surface.unit in ("mm", "cm", "m", "us-ft", None)
-        assert surface.changed == {}
+        assert all("not understood" in what for what in surface.changed)

@@ -31,7 +31,8 @@ def close(window):
 
 def begin(self, paths):
     self.take(paths)
-    QTimer.singleShot(int(sys.argv[3]), lambda: close(self._window))
+    shown = [one for one in app.window.QApplication.topLevelWidgets() if hasattr(one, "runners")]
+    QTimer.singleShot(int(sys.argv[3]), lambda: close(*shown))
 
 from app.controllers.opening import Opening
 Opening.begin = begin
