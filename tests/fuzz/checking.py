@@ -115,7 +115,10 @@ def _check_read(read: Surface, model: Model) -> None:
         assert read.faces is None
     else:
         assert read.faces is not None
-        assert len(read.faces) == sum(len(one) - 2 for one in model.polygons)
+        most = sum(len(one) - 2 for one in model.polygons)
+        # corners in line need no triangle of their own; what was done is counted
+        counted = any("polygons" in what for what in read.changed)
+        assert len(read.faces) == most or (len(read.faces) < most and counted)
         if all(len(one) == 3 for one in model.polygons):
             assert np.array_equal(read.faces, np.array(model.polygons))
 
