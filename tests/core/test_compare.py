@@ -467,8 +467,8 @@ BAD: list[tuple[str, Surface, dict[str, Any], str]] = [
     (
         "no_area",
         Surface(GOOD.points, np.array([[0, 1, 2]], np.int32), "bad.ply"),
-        {},
-        "bad.ply.*no common area",
+        {},  # the nodes that no triangle uses are no part of it
+        "bad.ply.*all nodes lie on one line",
     ),
     ("nothing_short", GOOD, {"max_edge": 1e-9}, "good.ply and good.ply: no common area"),
 ]

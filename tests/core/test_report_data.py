@@ -35,6 +35,7 @@ def test_json_has_the_keys_of_schema_1_in_order() -> None:
         "inputs",
         "options",
         "transform",
+        "alignment",
         "counts",
         "measures",
         "seconds",
