@@ -19,6 +19,7 @@ from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection import moved
+from surfcmp_core.refusals import motion_of, refuse_surface, refuse_tiny, weight_at
 from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
@@ -29,10 +30,6 @@ from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
 from surfcmp_core.used import UNUSED, used_part
 from surfcmp_core.warming import begin_to_compile
-
-_SQUARABLE = 500
-"""Between 2**-500 and 2**500 areas are told without over- or underflow."""
-
 
 _ALIKE = 5.0
 """Surfaces whose sizes differ by more than this factor are questioned."""
@@ -46,18 +43,11 @@ def _explained(progress: Progress) -> Progress:
     return lambda stage, share: progress(f"{stage} (compiling, on first use only)", share)
 
 
-def _check_areas(box: tuple[float, float, float, float]) -> None:
-    """Refuse coordinates whose squares over- or underflow."""
-    largest = max(map(abs, box))
-    if not 2.0**-_SQUARABLE < largest < 2.0**_SQUARABLE:
-        word = "large" if largest > 1.0 else "small"
-        raise InputError(f"coordinates up to {largest:.3g} are too {word} to give areas")
-
-
 def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
-    if len(surface.points) < 3:
-        raise InputError(f"{surface.name}: {len(surface.points)} nodes; at least 3 are needed")
-    return moved(surface, motion)
+    placed = moved(surface, motion)
+    if placed is not surface:
+        refuse_surface(placed)
+    return placed
 
 
 def _unused(surface: Surface) -> list[str]:
@@ -185,7 +175,9 @@ def compare(
     Raises
     ------
     InputError
-        The surfaces cannot be compared.
+        The surfaces cannot be compared, or the weight gives no numbers from 0 on.
+    ValueError
+        An option that means nothing; `align` or `frame` is not a rigid motion.
     Cancelled
         From `progress`.
 
@@ -193,6 +185,13 @@ def compare(
     ----------
     Stages 1 to 6 of the paper's section 3.2; formulas (1) to (3).
     """
+    options = Options(domain, max_edge, exact, tuple(tolerances), duplicates, threads)
+    frame = None if frame is None else motion_of(frame, "frame")
+    align = None if align is None else motion_of(align, "align")
+    for surface in (surface_1, surface_2):
+        refuse_surface(surface)
+        if len(surface.points) < 3:
+            raise InputError(f"{surface.name}: {len(surface.points)} nodes; at least 3 are needed")
     check_comparison(surface_1, surface_2, exact)
     progress = _explained(progress)
     clock = Clock(progress, read_seconds)
@@ -207,8 +206,8 @@ def compare(
 
     with clock.stage("triangulate", 0.0):
         placed = _placed(surface_1, view), _placed(surface_2, motion)
+        refuse_tiny(*placed)
         box = box_of(*placed)
-        _check_areas(box)
         grids = both(lambda s: grid_of(s, duplicates=duplicates, box=box), *placed, threads)
         scale = safe_scale(grids[0].nodes, grids[1].nodes)
         triangulations = both(
@@ -292,7 +291,7 @@ def compare(
             raise InputError(_nothing_common(*placed, limits, derived=max_edge is None))
         node_weight = None
         if weight is not None:
-            node_weight = np.asarray(weight(united.nodes[:, 0], united.nodes[:, 1]), np.float64)
+            node_weight = weight_at(weight, united.nodes)
         footprints = [side.area(domain, scaled) / scale / scale for side in sides]
         values, measures = measure(
             united.nodes,
@@ -339,7 +338,7 @@ def compare(
         values.mean_abs,
         values.mean_signed,
         measures,
-        Options(domain, max_edge, exact, tuple(tolerances), duplicates, threads),
+        options,
         motion,
         (footprint_1.max_edge / scale, footprint_2.max_edge / scale),
         None if exact_values is None else exact_values.mean_abs,

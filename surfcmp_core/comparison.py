@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,20 @@ class Options:
     tolerances: tuple[float, ...] = (0.5, 1.0, 2.0)
     duplicates: Duplicates = "refuse"
     threads: int = 2
+
+    def __post_init__(self) -> None:
+        """Raise ValueError, one line that names the option, where one means nothing."""
+        for name, kind in (("domain", Domain), ("duplicates", Duplicates)):
+            if getattr(self, name) not in get_args(kind):
+                options = ", ".join(get_args(kind))
+                raise ValueError(f"{name} {getattr(self, name)!r} is none of {options}")
+        if self.max_edge is not None and not self.max_edge > 0.0:
+            raise ValueError(f"max_edge {self.max_edge} is not above zero (inf: no limit)")
+        for tolerance in self.tolerances:
+            if not 0.0 <= tolerance < np.inf:
+                raise ValueError(f"tolerance {tolerance} is not a number, zero or above")
+        if not (isinstance(self.threads, int) and self.threads >= 1):
+            raise ValueError(f"threads {self.threads} is not a whole number above zero")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

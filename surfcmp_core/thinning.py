@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.kernel import kernel
+from surfcmp_core.refusals import refuse_surface
 from surfcmp_core.surface import Surface
 
 
@@ -65,6 +66,7 @@ def thin_to_spacing(surface: Surface, spacing: float, *, seed: int = 0) -> Surfa
     """
     if not (np.isfinite(spacing) and spacing > 0.0):
         raise InputError(f"{surface.name}: cannot thin to a spacing of {spacing:g}")
+    refuse_surface(surface)
     from_corner = surface.points - surface.points.min(axis=0)
     # cells at least a spacing wide, and no more of them along an axis than a key can count
     cell = max(spacing, float(from_corner.max(initial=0.0)) / 2.0**20)

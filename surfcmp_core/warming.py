@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import threading
+from functools import cache
 from pathlib import Path
 from typing import BinaryIO
 
@@ -21,8 +22,12 @@ from surfcmp_core.system.lock import make_held, take_over
 _PROGRAM = "from surfcmp_core.warming import compile_once; compile_once()"
 
 
+@cache
 def begin_to_compile() -> None:
-    """Start the other process, where there is a second processor for it, and leave it to itself."""
+    """Start the other process, where there is a second processor for it, and leave it to itself.
+
+    Once: many comparisons may begin before the first one ends, or end at once.
+    """
     if sys.executable and (os.cpu_count() or 1) > 1:
         threading.Thread(target=_run, name="compiling", daemon=True).start()
 

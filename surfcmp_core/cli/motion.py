@@ -6,10 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import composed, dot
-
-_RIGID = 1e-6
-"""How far a rotation's own product with itself may be from the identity: rounded decimals."""
+from surfcmp_core.refusals import fault_of_motion
 
 
 def read_motion(path: Path) -> NDArray[np.float64]:
@@ -39,16 +36,11 @@ def read_motion(path: Path) -> NDArray[np.float64]:
             lines = text.replace(",", " ").replace(";", " ").splitlines()
             rows = [line.partition("#")[0].split() for line in lines]
             matrix = np.array([[float(word) for word in row] for row in rows if row])
-    except OSError as fault:
-        raise InputError(f"{path}: {fault.strerror or fault}") from fault
-    except ValueError as fault:
-        raise InputError(f"{path}: not a 4×4 matrix of numbers") from fault
-    if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
-        raise InputError(f"{path}: not a 4×4 matrix of numbers")
-    if not np.array_equal(matrix[3], [0, 0, 0, 1]):
-        raise InputError(f"{path}: the last row of the matrix is not 0 0 0 1")
-    turn = matrix[:3, :3]
-    handed = dot(turn[0], np.cross(turn[1], turn[2]))
-    if np.abs(composed(turn, turn.T) - np.eye(3)).max() > _RIGID or handed < 0:
-        raise InputError(f"{path}: not a rigid motion: the matrix scales, shears or mirrors")
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror or error}") from error
+    except ValueError as error:
+        raise InputError(f"{path}: not a 4×4 matrix of numbers") from error
+    fault = fault_of_motion(matrix)
+    if fault:
+        raise InputError(f"{path}: {fault}")
     return matrix

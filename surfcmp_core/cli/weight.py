@@ -1,5 +1,6 @@
 """The weight of `--weight FILE`: µ(x, y) from the nodes of a surface file."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -36,22 +37,27 @@ def read_weight(path: Path, duplicates: Duplicates = "refuse") -> Weight:
     from surfcmp_core.interpolation import interpolate
     from surfcmp_core.io import read_surface
     from surfcmp_core.localisation import locate_along_tree
+    from surfcmp_core.refusals import refuse_surface
     from surfcmp_core.triangulation import triangulate
     from surfcmp_core.used import without_unused
 
     surface = without_unused(read_surface(path, unit="mm", weights=True))  # mm: nothing converted
+    refuse_surface(replace(surface, name=str(path)))
     grid = grid_of(surface, duplicates=duplicates)
     if (grid.z < 0).any():
         raise InputError(f"{path}: {int((grid.z < 0).sum())} weights are below zero")
-    scale = safe_scale(grid.nodes)
-    triangulation = triangulate(grid.nodes * scale, name=str(path))
 
     def weight(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        places = np.column_stack([x, y]) * scale
+        places = np.column_stack([x, y])
+        try:
+            scale = safe_scale(grid.nodes, places)
+            triangulation = triangulate(grid.nodes * scale, name=str(path))
+        except InputError as fault:
+            raise InputError(f"{path}: {str(fault).removeprefix(f'{path}: ')}") from None
         # The nodes of T come along a curve, so each is searched from the one before.
         steps = np.arange(len(places), dtype=np.int32)
         path_ = np.column_stack([steps[:-1], steps[1:]])
-        found = locate_along_tree(triangulation, places, path_)
-        return interpolate(triangulation, grid.z, places, found, continued=True)
+        found = locate_along_tree(triangulation, places * scale, path_)
+        return interpolate(triangulation, grid.z, places * scale, found, continued=True)
 
     return weight

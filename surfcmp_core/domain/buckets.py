@@ -115,11 +115,10 @@ def _covered(
         covered[k] = False
         if px < x0 or py < y0:
             continue
-        column = int((px - x0) * per_cell)
-        row = int((py - y0) * per_cell)
-        if column >= columns or row >= rows:
+        right, up = (px - x0) * per_cell, (py - y0) * per_cell
+        if not (right < columns and up < rows):  # asked before it may be too much for an integer
             continue
-        cell = row * columns + column
+        cell = int(up) * columns + int(right)
         for m in range(first[cell], first[cell + 1]):
             f = members[m]
             ax, ay = nodes[faces[f, 0], 0], nodes[faces[f, 0], 1]

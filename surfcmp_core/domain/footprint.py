@@ -317,8 +317,8 @@ def _states_of_triangles(
         elif ask_centroids:
             x = _mean_of(corners[a, 0], corners[b, 0], corners[c, 0])
             y = _mean_of(corners[a, 1], corners[b, 1], corners[c, 1])
-            column = min(max(int((x - x0) * per_cell), 0), near_gap.shape[1] - 1)
-            row = min(max(int((y - y0) * per_cell), 0), near_gap.shape[0] - 1)
+            column = int(min(max((x - x0) * per_cell, 0.0), near_gap.shape[1] - 1.0))
+            row = int(min(max((y - y0) * per_cell, 0.0), near_gap.shape[0] - 1.0))
             if near_gap[row, column]:
                 found = walk_to(nodes, start, twin, hints[a], x, y)
                 states[t] = _state_at(nodes, start, twin, state, found, x, y)

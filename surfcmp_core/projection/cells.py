@@ -53,13 +53,14 @@ def _mark(
             if ay == by:
                 left, right = min(ax, bx), max(ax, bx)
             else:
-                slope = (bx - ax) / (by - ay)
-                at_foot = ax + slope * (min(max(float(row), min(ay, by)), max(ay, by)) - ay)
-                at_head = ax + slope * (min(max(row + 1.0, min(ay, by)), max(ay, by)) - ay)
+                wide, high = bx - ax, by - ay  # shares of them do not overflow as a slope may
+                foot = (min(max(float(row), min(ay, by)), max(ay, by)) - ay) / high
+                head = (min(max(row + 1.0, min(ay, by)), max(ay, by)) - ay) / high
+                at_foot, at_head = ax + foot * wide, ax + head * wide
                 left, right = min(at_foot, at_head), max(at_foot, at_head)
                 middle = row + 0.5
                 if (ay <= middle) != (by <= middle):
-                    crossing = ax + slope * (middle - ay)
+                    crossing = ax + (middle - ay) / high * wide
                     first = max(0, int(np.ceil(crossing - 0.5)))
                     if first < columns:
                         # the mesh lies on the left of an edge: to the right of one that goes down

@@ -18,6 +18,7 @@ ORDER = (
     {"kernel", "system", "units"},
     {"together"},
     {"linear_algebra", "predicates", "stack", "used"},
+    {"refusals"},
     {"grid", "io", "thinning"},
     {"triangulation", "projection", "samples"},
     {"alignment", "placement"},
