@@ -12,6 +12,7 @@ from surfcmp_core.alignment.closest_points import Found, closest_points
 from surfcmp_core.alignment.doubts import UNSURE, doubts_of
 from surfcmp_core.alignment.other_poses import better_pose
 from surfcmp_core.alignment.side import Side, side_of
+from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection.frame import moved
@@ -87,6 +88,10 @@ def best_fit(
     placed = surface_2 if start is None else moved(surface_2, motion_of(start, "start"))
     origin = (surface_1.points.mean(axis=0) + placed.points.mean(axis=0)) / 2.0
     sides = side_of(surface_1, region_1, origin), side_of(placed, region_2, origin)
+
+    for side in sides:
+        if not side.extent > 0.0:
+            raise InputError(f"{side.name}: beside the other surface it is but one place")
 
     def onto_finer(share: float) -> None:
         progress("align", share if not overlap_only else 0.5 + share / 2.0)

@@ -91,10 +91,10 @@ def test_surfaces_apart_are_3_and_one_line(
     assert "far.xyz" in line
 
 
-@pytest.mark.parametrize("scale", ["1e200", "1e-200"])
 def test_both_files_are_named_where_both_are_at_fault(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], scale: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    scale = "1e-200"
     files = [tmp_path / "a.xyz", tmp_path / "b.xyz"]
     for file in files:
         file.write_text(
@@ -102,7 +102,7 @@ def test_both_files_are_named_where_both_are_at_fault(
         )
     assert main(["compare", *map(str, files)]) == 3
     (line,) = lines(capsys)
-    assert line.startswith(f"surfcmp: {files[0]} and {files[1]}: coordinates up to 9e")
+    assert line == "surfcmp: a.xyz and b.xyz: x and y up to 9e-200 are too small to give areas"
 
 
 def test_interruption_is_130_and_leaves_nothing(

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from surfcmp_core.grid.curve import curve_keys
 from surfcmp_core.measures import Measures, TriangleValues, hausdorff, measure, triangle_areas
 from surfcmp_core.triangulation import triangulate
 
@@ -459,3 +460,31 @@ def test_hausdorff_of_more_nodes_than_a_batch(height: float) -> None:
     one, two = rng.normal(size=(9000, 3)), rng.normal(size=(500, 3))
     one[:, 2] += height
     assert _hausdorff(one, two) == pytest.approx(_by_all_pairs(one, two))
+
+
+@pytest.mark.parametrize("height", [1e2, -1e4, 1e7])
+@pytest.mark.parametrize("rough", [0.0, 1e-6, 1e-3, 1.0])
+def test_hausdorff_of_surfaces_far_apart_asks_for_few_nodes(
+    height: float, rough: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # there all nodes of one are nearly equally far from each of the other: a search visits them all
+    from scipy import spatial
+
+    asked = []
+
+    class Counting(spatial.cKDTree):  # type: ignore[misc]
+        def query(self, x: Floats) -> tuple[Floats, Floats]:
+            asked.append(len(x))
+            return super().query(x)  # type: ignore[no-any-return]
+
+    monkeypatch.setattr(spatial, "cKDTree", Counting)
+    rng = np.random.default_rng(0)
+    one, two = rng.random((3000, 3)), rng.random((2000, 3))
+    one[:, 2], two[:, 2] = one[:, 2] * rough + height, two[:, 2] * rough
+    one = one[np.argsort(curve_keys(one[:, :2].copy(), (0.0, 0.0, 1.0, 1.0)))]
+    expected = np.sqrt(
+        ((one[:, None, :2] - two[None, :, :2]) ** 2).sum(axis=2)
+        + (one[:, None, 2] - two[None, :, 2]) ** 2
+    )
+    assert _hausdorff(one, two) == pytest.approx(expected.min(axis=1).max(), rel=1e-15)
+    assert 0 < sum(asked) < 1000
