@@ -19,7 +19,7 @@ from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection import moved
-from surfcmp_core.refusals import motion_of, refuse_surface, refuse_tiny, weight_at
+from surfcmp_core.refusals import motion_of, refuse_pair, refuse_surface, weight_at
 from surfcmp_core.side import Side, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
@@ -206,7 +206,7 @@ def compare(
 
     with clock.stage("triangulate", 0.0):
         placed = _placed(surface_1, view), _placed(surface_2, motion)
-        refuse_tiny(*placed)
+        refuse_pair(*placed)
         box = box_of(*placed)
         grids = both(lambda s: grid_of(s, duplicates=duplicates, box=box), *placed, threads)
         scale = safe_scale(grids[0].nodes, grids[1].nodes)

@@ -17,7 +17,7 @@ from surfcmp_core.projection import (
     viewing_direction,
     wound_alike,
 )
-from surfcmp_core.refusals import refuse_surface
+from surfcmp_core.refusals import LARGEST_IN_SPACE, refuse_surface
 from surfcmp_core.surface import Surface
 from surfcmp_core.together import check_together
 from surfcmp_core.used import UNUSED, nodes_in_use, used_part
@@ -124,7 +124,7 @@ def look_at(surface: Surface, view: View = "auto") -> Sight:
     InputError
         The surface shows nothing in this view, or no view can be found.
     """
-    refuse_surface(surface)
+    refuse_surface(surface, LARGEST_IN_SPACE)
     used = wound_alike(used_part(surface))
     motion = frame(viewing_direction(used) if view == "auto" else view)
     room = rounded_off(used, motion)
@@ -156,9 +156,10 @@ def place(
     """
     check_together(surface_1, surface_2)
     for surface in (surface_1, surface_2):
-        refuse_surface(surface)
+        refuse_surface(surface, LARGEST_IN_SPACE)
     used_1, used_2 = (wound_alike(used_part(one)) for one in (surface_1, surface_2))
     second = used_2 if align is None else moved(used_2, align)
+    refuse_surface(second, LARGEST_IN_SPACE)
     turn = frame(viewing_direction(used_1, second) if view == "auto" else view)
     motions = (turn, turn if align is None else composed(turn, align))
     seen_1, seen_2 = moved(used_1, motions[0]), moved(used_2, motions[1])

@@ -9,26 +9,29 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import composed, dot
 from surfcmp_core.surface import Surface
 
-LARGEST = 2.0**250
-"""Up to here squares of areas are told without overflow, and no place in a table of cells or along
-a curve leaves its integers."""
-SMALLEST = 1.0 / LARGEST
-"""Coordinates all below this have areas whose squares are told as 0."""
+LARGEST = 2.0**500
+"""Up to here distances and areas in the plane are told without overflow."""
+LARGEST_IN_SPACE = 2.0**250
+"""Up to here those of surfaces that are turned or fitted: they need squares of areas."""
+SMALLEST = 2.0**-400
+"""Coordinates all below this give areas and volumes that lose digits or are told as 0."""
 _RIGID = 1e-6
 """How far a rotation's own product with itself may be from the identity: rounded decimals."""
 
 
-def refuse_surface(surface: Surface) -> None:
+def refuse_surface(surface: Surface, largest: float = LARGEST) -> None:
     """Refuse nodes and faces that nothing can be computed with.
 
     Parameters
     ----------
     surface : Surface
+    largest : float
+        What all coordinates must stay below.
 
     Raises
     ------
     InputError
-        Points that are not (n, 3) finite numbers below `LARGEST`; faces that name no node.
+        Points that are not (n, 3) such numbers; faces that name no node.
     """
     points, faces, name = surface.points, surface.faces, surface.name
     if not isinstance(points, np.ndarray) or points.dtype != np.float64:
@@ -39,13 +42,13 @@ def refuse_surface(surface: Surface) -> None:
         return
     # a NaN or an infinity shows in the extremes, so that no mask is made where all is well
     extremes = points.min(axis=0), points.max(axis=0)
-    if not all(np.abs(extreme).max() < LARGEST for extreme in extremes):
-        bad = ~(np.abs(points) < LARGEST)
+    if not all(np.abs(extreme).max() < largest for extreme in extremes):
+        bad = ~(np.abs(points) < largest)
         axis = "xyz"[int(np.argmax(bad.any(axis=0)))]
         first = points[:, "xyz".index(axis)][bad[:, "xyz".index(axis)]][0]
         raise InputError(
             f"{name}: {int(bad.any(axis=1).sum())} of {len(points)} nodes have coordinates that "
-            f"are no numbers below {LARGEST:.3g} and give no distances or areas, "
+            f"are no numbers below {largest:.3g} and give no distances or areas, "
             f"the first {axis} = {first:.6g}; if it stands for no data, leave those nodes out"
         )
     if faces is not None:
@@ -55,17 +58,29 @@ def refuse_surface(surface: Surface) -> None:
             raise InputError(f"{name}: a face names a node that does not exist")
 
 
-def refuse_tiny(*surfaces: Surface) -> None:
-    """Refuse surfaces all of whose x and y are too small to give areas.
+def refuse_pair(first: Surface, second: Surface) -> None:
+    """Refuse surfaces with areas or volumes between them that no double can tell.
+
+    Parameters
+    ----------
+    first, second : Surface
+        Each of which passes :func:`refuse_surface`.
 
     Raises
     ------
     InputError
     """
-    largest = max(float(np.abs(surface.points[:, :2]).max()) for surface in surfaces)
+    names = f"{first.name} and {second.name}"
+    low, high = (
+        pick([pick(surface.points, axis=0) for surface in (first, second)], axis=0)
+        for pick in (np.min, np.max)
+    )
+    largest = float(np.abs([low, high])[:, :2].max())
     if not largest > SMALLEST:
-        names = " and ".join(surface.name for surface in surfaces)
         raise InputError(f"{names}: x and y up to {largest:.3g} are too small to give areas")
+    if np.log2(np.maximum(high - low, SMALLEST)).sum() > 2 * np.log2(LARGEST):
+        extents = " by ".join(map("{:.3g}".format, high - low))
+        raise InputError(f"{names}: extents of {extents} are too large to give volumes")
 
 
 def fault_of_motion(matrix: NDArray[np.float64]) -> str:

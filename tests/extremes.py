@@ -58,12 +58,12 @@ def _moved(shift: float, axis: int) -> Nodes:
 EXTREMES: dict[str, Nodes] = {
     **{
         f"z {value:g} at {share:g}": _with_some(value, share)
-        for value in (1e160, -1.797e308, 1e76, -1e74, 3.4028235e38, 5e-324)
+        for value in (1e160, -1.797e308, 1e150, 1e76, -1e74, 3.4028235e38, 5e-324)
         for share in (1.0, 0.1, 0.02)
     },
     **{
         f"times {factor:g} along {axes}": _stretched(factor, axes)
-        for factor in (1e306, 1e70, 1e-70, 1e-100, 5e-324)
+        for factor in (1e306, 1e149, 1e70, 1e-70, 1e-100, 5e-324)
         for axes in ((0, 1), (2,), (0, 1, 2), (1,))
     },
     **{

@@ -16,7 +16,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection.frame import moved
-from surfcmp_core.refusals import motion_of, refuse_surface
+from surfcmp_core.refusals import LARGEST_IN_SPACE, motion_of, refuse_surface
 from surfcmp_core.surface import Surface
 from surfcmp_core.together import check_together
 
@@ -84,7 +84,7 @@ def best_fit(
     if region_1 is not None or region_2 is not None:
         method = "icp region"
     for surface in (surface_1, surface_2):
-        refuse_surface(surface)
+        refuse_surface(surface, LARGEST_IN_SPACE)
     placed = surface_2 if start is None else moved(surface_2, motion_of(start, "start"))
     origin = (surface_1.points.mean(axis=0) + placed.points.mean(axis=0)) / 2.0
     sides = side_of(surface_1, region_1, origin), side_of(placed, region_2, origin)

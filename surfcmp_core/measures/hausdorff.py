@@ -208,7 +208,7 @@ def hausdorff(
     rows = np.arange(len(nodes_1))
     largest = 0.0
     tree = None
-    at_once = _BATCH
+    at_once = _BATCH if left > 0 else _FIRST_BATCH
     while rows.size:
         batch = rows
         if rows.size > at_once:

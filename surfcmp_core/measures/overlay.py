@@ -1,6 +1,7 @@
 """The exact reading: F̂1 linear on T1, F̂2 on T2, integrated over the pieces of their overlay."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -262,6 +263,9 @@ def measure_exactly(
     unit = power_of_two_above(
         max(float(z_1.max()) - float(z_2.min()), float(z_2.max()) - float(z_1.min()))
     )
+    # products of areas: in units of the whole extent they neither over- nor underflow
+    extent = power_of_two_above(float(np.ptp(united.nodes, axis=0).max()))
+    area_unit = (extent * length) ** 2
     count = len(united.triangles)
     values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
 
@@ -275,7 +279,7 @@ def measure_exactly(
             united.triangles,
             first,
             second,
-            length,
+            1.0 / extent,
             np.array(tolerances, dtype=np.float64) / unit,
             np.empty(0) if node_weight is None else node_weight,
             -unit if exchanged else unit,
@@ -286,12 +290,19 @@ def measure_exactly(
         )
         return Part(sums, largest)
 
-    return values, measures_from(
+    measures = measures_from(
         over_chunks(work, count, threads, progress),
         values,
         unit,
         tolerances=tolerances,
-        footprint_1=footprint_1,
-        footprint_2=footprint_2,
+        footprint_1=footprint_1 / area_unit,
+        footprint_2=footprint_2 / area_unit,
         hausdorff=hausdorff,
+    )
+    return replace(values, area=values.area * area_unit), replace(
+        measures,
+        area_compared=measures.area_compared * area_unit,
+        area_interface=measures.area_interface * area_unit,
+        volume_above=measures.volume_above * area_unit,
+        volume_below=measures.volume_below * area_unit,
     )
