@@ -13,7 +13,7 @@ LARGEST = 2.0**500
 """Up to here distances and areas in the plane are told without overflow."""
 LARGEST_IN_SPACE = 2.0**250
 """Up to here those of surfaces that are turned or fitted: they need squares of areas."""
-SMALLEST = 2.0**-400
+SMALLEST = 2.0**-500
 """Coordinates all below this give areas and volumes that lose digits or are told as 0."""
 _RIGID = 1e-6
 """How far a rotation's own product with itself may be from the identity: rounded decimals."""
@@ -77,7 +77,7 @@ def refuse_pair(first: Surface, second: Surface) -> None:
     )
     largest = float(np.abs([low, high])[:, :2].max())
     if not largest > SMALLEST:
-        raise InputError(f"{names}: x and y up to {largest:.3g} are too small to give areas")
+        raise InputError(f"{names}: coordinates x, y up to {largest:.3g} are too small to give areas")
     if np.log2(np.maximum(high - low, SMALLEST)).sum() > 2 * np.log2(LARGEST):
         extents = " by ".join(map("{:.3g}".format, high - low))
         raise InputError(f"{names}: extents of {extents} are too large to give volumes")

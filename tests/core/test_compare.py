@@ -274,11 +274,13 @@ def test_threads_do_not_matter_to_the_last_bit(domain: Domain) -> None:
 def test_input_is_left_as_it_was() -> None:
     first, second = (dataclasses.replace(s, unit="mm") for s in _two(8))
     before = first.points.copy(), second.points.copy()
-    result = compare(first, second, align=np.diag([1.0, 1.0, 2.0, 1.0]))
+    motion = np.eye(4)
+    motion[2, 3] = 0.5
+    result = compare(first, second, align=motion)
     assert np.array_equal(first.points, before[0])
     assert np.array_equal(second.points, before[1])
     assert result.surfaces == (first, second)
-    assert np.array_equal(result.transform, np.diag([1.0, 1.0, 2.0, 1.0]))
+    assert np.array_equal(result.transform, motion)
 
 
 def test_nodes_are_the_inputs_bit_for_bit() -> None:
