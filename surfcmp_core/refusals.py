@@ -77,7 +77,9 @@ def refuse_pair(first: Surface, second: Surface) -> None:
     )
     largest = float(np.abs([low, high])[:, :2].max())
     if not largest > SMALLEST:
-        raise InputError(f"{names}: coordinates x, y up to {largest:.3g} are too small to give areas")
+        raise InputError(
+            f"{names}: coordinates x, y up to {largest:.3g} are too small to give areas"
+        )
     if np.log2(np.maximum(high - low, SMALLEST)).sum() > 2 * np.log2(LARGEST):
         extents = " by ".join(map("{:.3g}".format, high - low))
         raise InputError(f"{names}: extents of {extents} are too large to give volumes")
