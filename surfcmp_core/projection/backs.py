@@ -55,6 +55,7 @@ def _mark_backs(
     y0: float,
     per_cell: float,
     doubtful: NDArray[np.bool_],
+    above: NDArray[np.bool_],
 ) -> None:
     lowest = np.full(doubtful.shape, np.inf)
     for t in range(faces.shape[0]):
@@ -72,6 +73,7 @@ def _mark_backs(
                 for c in range(c0, c1 + 1):
                     if top > lowest[r, c]:
                         doubtful[r, c] = True
+                        above[t] = True
 
 
 def doubt_backs(
@@ -81,7 +83,9 @@ def doubt_backs(
     fate: NDArray[np.uint8],
     backs: NDArray[np.bool_],
     cells: Cells,
-) -> None:
-    """Mark the cells in which one of the backs reaches above the lowest of what is kept."""
+) -> NDArray[np.bool_]:
+    """Give the backs that reach above the lowest of what is kept, and doubt the cells where."""
+    above = np.zeros(len(faces), np.bool_)
     where = (cells.x0, cells.y0, cells.per_cell)
-    _mark_backs(nodes, z, faces, fate, backs, *where, cells.doubtful)
+    _mark_backs(nodes, z, faces, fate, backs, *where, cells.doubtful, above)
+    return above

@@ -137,13 +137,14 @@ def _along_an_edge(faces: NDArray[np.int32], one: int, other: int) -> bool:
 @kernel
 def _reach(
     nodes: NDArray[np.float64],
+    z: NDArray[np.float64],
     faces: NDArray[np.int32],
     t: int,
     i: int,
     low: NDArray[np.float64],
     high: NDArray[np.float64],
 ) -> None:
-    """Set in row i the least and the largest value of x, y and six other directions."""
+    """Set in row i the least and the largest value of x, y, six other directions, and z."""
     low[i] = np.inf
     high[i] = -np.inf
     for corner in range(3):
@@ -152,6 +153,8 @@ def _reach(
         for k in range(_DIRECTIONS):
             low[i, k] = min(low[i, k], values[k])
             high[i, k] = max(high[i, k], values[k])
+        low[i, _DIRECTIONS] = min(low[i, _DIRECTIONS], z[faces[t, corner]])
+        high[i, _DIRECTIONS] = max(high[i, _DIRECTIONS], z[faces[t, corner]])
 
 
 @kernel
@@ -170,14 +173,18 @@ def _hide(
     above: float,
 ) -> None:
     most = int(np.max(np.diff(start)))
-    low = np.empty((most, _DIRECTIONS))
-    high = np.empty((most, _DIRECTIONS))
+    low = np.empty((most, _DIRECTIONS + 1))
+    high = np.empty((most, _DIRECTIONS + 1))
+    hides = np.empty(most, np.bool_)  # a back: it hides and is not hidden, it is left out already
     for cell in range(start.size - 1):
         first = start[cell]
         for i in range(start[cell + 1] - first):
             p = members[first + i]
-            _reach(nodes, faces, p, i, low, high)
+            _reach(nodes, z, faces, p, i, low, high)
+            hides[i] = fate[p] == _BACK
             for j in range(i):
+                if hides[i] and hides[j]:
+                    continue
                 # rounded sums that differ stand for sums that differ; those that agree may not
                 if (
                     low[j, 0] >= high[i, 0]
@@ -186,13 +193,16 @@ def _hide(
                     or high[j, 1] <= low[i, 1]
                 ):
                     continue
+                if (hides[i] and high[i, _DIRECTIONS] <= low[j, _DIRECTIONS]) or (
+                    hides[j] and high[j, _DIRECTIONS] <= low[i, _DIRECTIONS]
+                ):
+                    continue
                 apart = False
                 for k in range(2, _DIRECTIONS):
                     apart = apart or low[j, k] > high[i, k] or high[j, k] < low[i, k]
                 if apart:
                     continue
                 q = members[first + j]
-                # backs hide and are not hidden: they are left out already
                 if fate[p] != _KEPT and fate[q] != _KEPT:
                     continue
                 # once a pair: in the cell of their boxes' first common place
@@ -203,10 +213,10 @@ def _hide(
                 if _apart(nodes, faces, q, p, room) or _apart(nodes, faces, p, q, room):
                     continue
                 lead = _lead(nodes, z, faces, q, p)
-                if fate[q] == _BACK:
+                if hides[j]:
                     if lead > above:
                         fate[p] = _HIDDEN
-                elif fate[p] == _BACK:
+                elif hides[i]:
                     if lead < -above:
                         fate[q] = _HIDDEN
                 elif lead >= 0.0:
@@ -248,8 +258,7 @@ def hide(
     """
     counts = fate == Fate.KEPT
     if backs is not None:
-        doubt_backs(nodes, z, faces, fate, backs, cells)
-        counts |= backs
+        counts |= doubt_backs(nodes, z, faces, fate, backs, cells)
     start, members = crowded(nodes, faces, counts, cells)
     columns = cells.doubtful.shape[1]
     where = (cells.x0, cells.y0, cells.per_cell, columns)
