@@ -16,8 +16,8 @@ run: setup-run ## open the window on the built-in pair (no display: picture and 
 test: ## run all tests
 	@$(MAKE) --no-print-directory --keep-going test-core test-window
 
-test-core: setup-test ## run the tests of the core
-	$(python) -m pytest tests/core
+test-core: setup-test ## run the tests that need no screen
+	$(python) -m pytest tests/core tests/app
 
 test-window: setup-test ## run the tests of the window
 	$(screen) $(python) -m pytest tests/window
