@@ -1,6 +1,7 @@
 """Read .npy and .npz, without pickles and without believing a header's size."""
 
 import json
+import warnings
 import zipfile
 from contextlib import suppress
 from io import BytesIO
@@ -15,6 +16,7 @@ from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.text import quoted
 from surfcmp_core.io.units import unit_named
+from surfcmp_core.io.unpacked import check_unpacked
 
 
 def read_npy(data: bytes) -> Raw:
@@ -36,13 +38,13 @@ def read_npz(data: bytes) -> Raw:
         if "points" not in arrays:
             raise InputError(f"it holds no 'points', only {', '.join(arrays)[:80] or 'nothing'}")
         found: dict[str, NDArray[Any]] = {
-            key: _array(archive.read(arrays[key]), key)
+            key: _array(_unpacked(archive, arrays[key]), key)
             for key in ("points", "faces")
             if key in arrays
         }
         for key in ("unit", "meta", "space"):
             with suppress(KeyError, InputError):  # of any shape; not what was asked for
-                found[key] = _array(archive.read(arrays[key]), key)
+                found[key] = _array(_unpacked(archive, arrays[key]), key)
     polygons: Polygons = []
     if (faces := found.get("faces")) is not None:
         if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
@@ -60,12 +62,24 @@ def read_npz(data: bytes) -> Raw:
     )
 
 
+def _unpacked(archive: zipfile.ZipFile, name: str) -> bytes:
+    """Octets of a member, no more than it declares, and that within reason."""
+    member = archive.getinfo(name)
+    if member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise InputError(f"{name} is packed in a way that NumPy does not write")
+    check_unpacked(member.file_size, member.compress_size)
+    with archive.open(member) as stream:
+        return stream.read(member.file_size)
+
+
 def _array(data: bytes, key: str) -> NDArray[Any]:
     """Do what `numpy.load` does, after comparing the size declared with the size there."""
     stream = BytesIO(data)
     version = npy.read_magic(stream)
     header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-    shape, by_columns, dtype = header(stream)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # at a header by Python 2, which is read all the same
+        shape, by_columns, dtype = header(stream)
     if dtype.hasobject:
         raise InputError(f"{key} holds pickled objects, which are not read")
     count = 1
@@ -93,5 +107,5 @@ def _stated_unit(found: dict[str, NDArray[Any]]) -> str:
     try:
         meta = json.loads(str(found["meta"]))
         return str(meta.get("unit", meta.get("units", "")))
-    except (KeyError, ValueError, AttributeError):
+    except (KeyError, ValueError, AttributeError, RecursionError):
         return ""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.reference_system import LengthUnits, units_of_keys, units_of_wkt
+from surfcmp_core.io.unpacked import check_unpacked
 
 _CHUNK_BYTES = 1 << 26
 _DOUBLES, _WKT = 34736, 2112
@@ -40,6 +41,7 @@ def read_las(data: bytes) -> Raw:
         header = reader.header
         size, room = header.point_format.size, len(data) - start
         if header.are_points_compressed:
+            check_unpacked(header.point_count * size, room)
             _check_compressed(data, start, header)
         elif header.point_count * size > room:
             raise InputError(f"{header.point_count} points declared, room for {room // size}")

@@ -6,6 +6,7 @@ a header declares, merge nodes or lose the unit. Nothing but NumPy is behind it.
 
 import re
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -208,36 +209,33 @@ def _walk(
     data: bytes, at: int, element: _Element, order: str
 ) -> tuple[list[str], NDArray[np.int64], NDArray[np.int64], int]:
     """Names and (n, lists) lengths of the lists in n records, where each starts, and the end."""
-    lists = [one for one in element.properties if one.length]
-    starts = np.empty(element.count, np.int64)
-    found = np.empty((element.count, len(lists)), np.int64)
     names = list(_lengths(data, at, element, order)[0])
-    if len(lists) == 1 and lists[0].length == "u1":  # nearly all files: without a call for each
-        place = element.properties.index(lists[0])
-        ahead = sum(int(one.type[1]) for one in element.properties[:place])
-        fixed = 1 + ahead + sum(int(one.type[1]) for one in element.properties[place + 1 :])
-        width = int(lists[0].type[1])
-        sizes = []
-        first = at
-        try:
-            for _ in range(element.count):
-                size = data[at + ahead]
-                sizes.append(size)
-                at += fixed + size * width
-        except IndexError:
-            at = len(data) + 1
+    steps, ahead = [], 0  # for each list: bytes ahead of it, of its length, of one entry
+    for one in element.properties:
+        if one.length:
+            steps.append((ahead, int(one.length[1]), one.length[0] == "i", int(one.type[1])))
+            ahead = 0
+        else:
+            ahead += int(one.type[1])
+    endian: Literal["little", "big"] = "little" if order == "<" else "big"
+    starts, found = [], []
+    for _ in range(element.count):
+        starts.append(at)
+        for skipped, size, signed, width in steps:
+            at += skipped
+            if size == 1 and not signed and at < len(data):  # as in nearly all files
+                n = data[at]
+            else:
+                n = int.from_bytes(data[at : at + size], endian, signed=signed)
+            found.append(n)
+            at += size + n * width
+            if n < 0:
+                at = len(data) + 1
+        at += ahead
         if at > len(data):
             raise InputError(f"its {element.name} element reaches beyond the end of the file")
-        found[:, 0] = sizes
-        starts[0] = first
-        np.cumsum(found[:-1, 0] * width + fixed, out=starts[1:])
-        starts[1:] += first
-        return names, found, starts, at
-    for row in range(element.count):
-        starts[row] = at
-        lengths, at = _lengths(data, at, element, order)
-        found[row] = list(lengths.values())
-    return names, found, starts, at
+    lengths = np.array(found, np.int64).reshape(element.count, len(steps))
+    return names, lengths, np.array(starts, np.int64), at
 
 
 def _lengths(data: bytes, at: int, element: _Element, order: str) -> tuple[dict[str, int], int]:

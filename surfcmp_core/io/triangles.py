@@ -12,7 +12,7 @@ _NOTHING = 1e-12
 """Area, as a share of the square around a polygon, that is rounding: corners in one line."""
 _MOST = 10_000
 """Corners of a polygon that no fan covers: the time to cut ears off grows with their square."""
-_PATIENCE = 10**8
+_PATIENCE = 5 * 10**7
 """Squared corners of all polygons that cross themselves before the file is refused for them."""
 
 TOO_FEW = "faces with fewer than three corners"
@@ -111,7 +111,9 @@ def _split(
     triangles = [np.stack((first, group[:, 1:-1], group[:, 2:]), axis=2)[fanned].reshape(-1, 3)]
     crossing = 0
     for i in np.flatnonzero(~fanned).tolist():
-        ears = None if in_line[i] else _ears(places[i], axes[i], float(length[i]))
+        # of a polygon that does not cross itself no more than a few corners are at one node
+        crosses = in_line[i] or 2 * len(np.unique(group[i])) < c
+        ears = None if crosses else _ears(places[i], axes[i], float(length[i]))
         if ears is not None:
             triangles.append(group[i][ears])
         else:

@@ -129,8 +129,14 @@ class _Cursor:
     def words(self, count: int) -> list[bytes]:
         if 2 * count > len(self.data) - self.at + 1:
             raise InputError(f"{count} numbers declared, more than the file has room for")
-        words = self.data[self.at :].split(None, count)
-        self.at = len(self.data) - (len(words.pop()) if len(words) > count else 0)
+        size = 32 * count + 64  # all at once would copy the rest of the file for each small array
+        while True:
+            part = self.data[self.at : self.at + size]
+            words = part.split(None, count)
+            if len(words) > count or self.at + size >= len(self.data):
+                break
+            size *= 4
+        self.at += len(part) - (len(words.pop()) if len(words) > count else 0)
         if len(words) < count:
             raise InputError(f"{count} numbers declared, {len(words)} found")
         return words

@@ -88,7 +88,7 @@ LIES: dict[str, tuple[str, bytes, str]] = {
     ),
     "las": ("las", _LAS[:107] + struct.pack("<I", 4_000_000_000) + _LAS[111:], "room for 4"),
     "las, records": ("las", _LAS[:100] + b"\xff\xff\xff\xff" + _LAS[104:], "room"),
-    "laz, points": ("laz", _LAZ[:107] + struct.pack("<I", 4_000_000_000) + _LAZ[111:], ".laz file"),
+    "laz, points": ("laz", _LAZ[:107] + struct.pack("<I", 4_000_000_000) + _LAZ[111:], "into 78"),
     "laz, cut off": ("laz", _LAZ[:-20], "cut off"),
 }  # fmt: skip
 
