@@ -56,7 +56,7 @@ def _try_pair(number: int, seed: int, watch: _Watch) -> bool:
 
 
 def _try_trial(number: int, seed: int, watch: _Watch) -> bool:
-    from tests.fuzz.checking import fault_of
+    from tests.fuzz.checking import fault_of, has_fault
     from tests.fuzz.trials import random_trial, smaller
 
     own = 1_000_000 * (seed + 1) + number
@@ -64,7 +64,7 @@ def _try_trial(number: int, seed: int, watch: _Watch) -> bool:
     trial = random_trial(own)
     fault = fault_of(trial)
     if fault:
-        least = smaller(trial, lambda one: bool(fault_of(one)))
+        least = smaller(trial, lambda one: has_fault(one, fault))
         word = "_".join(re.findall(r"[A-Za-z]+", fault)[:5]).lower()
         path = FOLDER / f"trial_{word}_{own}.json"
         least.save(path)

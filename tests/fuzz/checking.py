@@ -2,6 +2,7 @@
 
 import json
 import math
+import traceback
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import asdict, replace
 from io import StringIO
@@ -33,12 +34,18 @@ FLAGS = {"domain", "max_edge", "duplicates", "unit", "threads", "project"}
 
 
 def fault_of(trial: Trial) -> str:
-    """Say what is wrong with a trial; empty where nothing is."""
+    """Say what is wrong with a trial, and where, up to a colon; empty where nothing is."""
     try:
         check(trial)
     except Exception as error:  # whatever it is, it is a find
-        return f"{type(error).__name__}: {error}"
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        return f"{type(error).__name__} in {place.name}, line {place.lineno}: {error}"
     return ""
+
+
+def has_fault(trial: Trial, fault: str) -> bool:
+    """Whether the same is wrong with a trial."""
+    return fault_of(trial).partition(":")[0] == fault.partition(":")[0]
 
 
 def check(trial: Trial) -> str:

@@ -196,7 +196,7 @@ def _smaller_model(trial: Trial, side: int, is_bad: Callable[[Trial], bool]) -> 
     points, polygons = trial.models[side].points, trial.models[side].polygons
     if polygons is None:
         return put(fewer(points, lambda some: is_bad(put(some, None))), None)
-    polygons = fewer(polygons, lambda some: is_bad(put(points, some)))
+    polygons = fewer(polygons, lambda some: bool(some) and is_bad(put(points, some)))
     used = {v for one in polygons for v in one}
 
     def with_some(stray: list[int]) -> Trial:
