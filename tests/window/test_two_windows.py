@@ -55,8 +55,12 @@ def act(window, word, *more):
     elif word == "close":
         window.close()
 
+def started(window):
+    windows.append(window)
+    start(window)
+
 def offered(sessions):
-    found, window = offer(sessions), sessions._window
+    found, (window,) = offer(sessions), windows
     listen(window)
     window.session.compared.connect(lambda _: say(compared=list(map(str, session_paths(window)))))
     window.session.failed.connect(lambda text: say(failed=text))
@@ -67,6 +71,8 @@ def offered(sessions):
 def session_paths(window):
     return window.session.document.paths
 
+windows = []
+start, app.window.MainWindow.start = app.window.MainWindow.start, started
 offer, Sessions.offer_recovery = Sessions.offer_recovery, offered
 sys.exit(app.window.run([]))
 """
