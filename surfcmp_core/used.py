@@ -85,18 +85,30 @@ def _without_repeated(surface: Surface) -> Surface:
     if _used(surface) is None:
         return surface
     assert faces is not None
-    repeated = _repeated(surface.points, faces)
+    repeated = repeated_triangles(surface.points, faces)
     if not repeated.size:
         return surface
     changed = {**surface.changed, REPEATED: surface.changed.get(REPEATED, 0) + repeated.size}
     return replace(surface, faces=np.delete(faces, repeated, axis=0), changed=changed)
 
 
-def _repeated(points: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.int64]:
-    """Find the triangles that an earlier one equals, corner by corner, in any order."""
+def repeated_triangles(points: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.int64]:
+    """Find the triangles that an earlier one equals, corner by corner, in any order.
+
+    Parameters
+    ----------
+    points : (n, d) float64
+        In the plane or in space; only equality counts.
+    faces : (m, 3) int32
+
+    Returns
+    -------
+    (k,) int64
+        Their numbers, ascending.
+    """
     bits = (points + 0.0).view(np.uint64)  # 0.0 makes of -0.0 what it equals
     of_node = np.zeros(len(points), np.uint64)
-    for axis, odd in enumerate(_ODD):
+    for axis, odd in enumerate(_ODD[: points.shape[1]]):
         of_node ^= bits[:, axis] * np.uint64(odd)
         of_node ^= of_node >> np.uint64(29)
         of_node *= np.uint64(_ODD[0])

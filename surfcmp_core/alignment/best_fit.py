@@ -11,7 +11,7 @@ from surfcmp_core.alignment.alignment import Alignment, Method
 from surfcmp_core.alignment.closest_points import Found, closest_points
 from surfcmp_core.alignment.doubts import UNSURE, doubts_of
 from surfcmp_core.alignment.other_poses import better_pose
-from surfcmp_core.alignment.side import Side, side_of
+from surfcmp_core.alignment.side import Side, side_of, used_of
 from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import composed, dots, inverse
 from surfcmp_core.progress import Progress, silent
@@ -83,6 +83,8 @@ def best_fit(
     method: Method = "icp overlap" if overlap_only else "icp"
     if region_1 is not None or region_2 is not None:
         method = "icp region"
+    surface_1, region_1 = used_of(surface_1, region_1)
+    surface_2, region_2 = used_of(surface_2, region_2)
     for surface in (surface_1, surface_2):
         refuse_surface(surface, LARGEST_IN_SPACE)
     placed = surface_2 if start is None else moved(surface_2, motion_of(start, "start"))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import length
 from surfcmp_core.surface import Surface
+from surfcmp_core.used import nodes_in_use, used_part
 
 FEWEST = 10
 """Nodes that must be left to find six unknowns with some certainty."""
@@ -33,7 +34,7 @@ class Side:
     spacing : (n,) float64
         Distance to the neighbours.
     may : (n,) bool
-        Nodes that may be used: of the region, and of a mesh those that a triangle uses.
+        Nodes that may be used: of the region.
     inner : (n,) bool
         Those of them that are not on a mesh's border.
     moving : (k, 3) float64
@@ -69,6 +70,7 @@ def side_of(
     Parameters
     ----------
     surface : Surface
+        Without nodes that no triangle uses (:func:`used_of`).
     region : (n,) bool, optional
         Nodes that may be used.
     origin : (3,) float64
@@ -81,7 +83,7 @@ def side_of(
     Raises
     ------
     InputError
-        The region is not one bool for each node, or leaves too few of them.
+        The region leaves too few nodes.
     """
     from small_gicp import KdTree, PointCloud, estimate_normals_covariances
 
@@ -104,16 +106,40 @@ def side_of(
     )
 
 
+def used_of(
+    surface: Surface, region: NDArray[np.bool_] | None
+) -> tuple[Surface, NDArray[np.bool_] | None]:
+    """Leave out what is no part of a surface, in its region too.
+
+    Parameters
+    ----------
+    surface : Surface
+        n nodes.
+    region : (n,) bool, optional
+
+    Returns
+    -------
+    Surface
+        Its :func:`surfcmp_core.used.used_part`, k nodes.
+    (k,) bool or None
+        The region's part of them.
+
+    Raises
+    ------
+    InputError
+        The region is not one bool for each node.
+    """
+    used = used_part(surface)
+    if region is None:
+        return used, None
+    region = np.asarray(region)
+    if region.dtype != np.bool_ or region.shape != (len(surface.points),):
+        raise InputError(f"{surface.name}: the region is not one bool for each node")
+    return used, region if used is surface else region[nodes_in_use(surface)]
+
+
 def _may_be_used(surface: Surface, region: NDArray[np.bool_] | None) -> NDArray[np.bool_]:
-    may = np.ones(len(surface.points), bool)
-    if surface.faces is not None:
-        may[:] = False
-        may[surface.faces.ravel()] = True
-    if region is not None:
-        region = np.asarray(region)
-        if region.dtype != np.bool_ or region.shape != may.shape:
-            raise InputError(f"{surface.name}: the region is not one bool for each node")
-        may &= region
+    may = np.ones(len(surface.points), bool) if region is None else region
     if np.count_nonzero(may) < FEWEST:
         raise InputError(
             f"{surface.name}: {np.count_nonzero(may)} nodes to align; at least {FEWEST} are needed"

@@ -10,6 +10,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.grid.curve import curve_keys
 from surfcmp_core.kernel import kernel
 from surfcmp_core.surface import Surface
+from surfcmp_core.used import repeated_triangles
 
 Duplicates = Literal["refuse", "mean", "max", "min"]
 """What to do with nodes of equal (x, y) and different z."""
@@ -29,7 +30,7 @@ class Grid:
         Row of the surface's `points` each node came from (the first of merged ones).
     faces : (m, 3) int32 or None
         The model's own triangles in node numbers, as the file turns them, without those that
-        merging made lines; None for a cloud.
+        merging made lines or equal to earlier ones; None for a cloud.
     merged : int
         Nodes of the surface merged into another one of equal (x, y).
     keys : (n,) uint64
@@ -178,6 +179,8 @@ def grid_of(
         faces = number[surface.faces]
         a, b, c = faces.T
         faces = faces[(a != b) & (b != c) & (c != a)]  # those that stood upright are lines now
+        if merged:  # and layers above each other are one
+            faces = np.delete(faces, repeated_triangles(nodes[source], faces), axis=0)
     return Grid(nodes[source], values, source, faces, merged, keys[source], surface.name)
 
 

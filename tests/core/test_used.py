@@ -8,9 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from surfcmp_core.alignment import best_fit
 from surfcmp_core.compare import compare
 from surfcmp_core.comparison import Comparison, Domain
 from surfcmp_core.errors import InputError
+from surfcmp_core.grid import Duplicates
 from surfcmp_core.io import facts_of, read_surface
 from surfcmp_core.placement import look_at, place
 from surfcmp_core.surface import Surface
@@ -163,6 +165,52 @@ def test_the_first_of_equal_triangles_stays(mesh) -> None:
     assert number.tolist() == sorted({i for face in kept for i in face})
     assert part.points.tobytes() == points[number].tobytes()
     assert used_part(part) is part
+
+
+@pytest.mark.parametrize("duplicates", ["mean", "max", "min"])
+def test_layers_that_are_merged_count_once(duplicates: Duplicates) -> None:
+    points, faces = PLAIN.points, PLAIN.faces
+    assert faces is not None
+    layers = Surface(
+        np.concatenate((points, points + [0.0, 0.0, 1.0])),
+        np.concatenate((faces, faces + np.int32(len(points)))),
+    )
+    found = compare(layers, OTHER, duplicates=duplicates, exact=True).measures
+    plain = compare(PLAIN, OTHER, exact=True).measures
+    assert found.coverage_1 == plain.coverage_1
+    assert found.exact is not None
+    assert plain.exact is not None
+    assert found.exact.coverage_1 == plain.exact.coverage_1
+
+
+def _wavy(mesh: Surface) -> Surface:
+    points = mesh.points.copy()
+    points[:, 2] += np.sin(points[:, 0] / 3.0) * np.cos(points[:, 1] / 4.0)
+    return replace(mesh, points=points)
+
+
+@pytest.mark.parametrize("where", STRAY)
+def test_a_best_fit_knows_no_unused_nodes(where: str) -> None:
+    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + [0.1, 0.2, 0.05])
+    region = here.points[:, 0] < 15.0
+    for first in (True, False):
+        stray = _with_nodes(here, STRAY[where], first)
+        assert np.array_equal(best_fit(stray, there).matrix, best_fit(here, there).matrix)
+        assert np.array_equal(best_fit(there, stray).matrix, best_fit(there, here).matrix)
+        extra = np.ones(len(STRAY[where]), bool)
+        wide = np.concatenate((extra, region) if first else (region, extra))
+        assert np.array_equal(
+            best_fit(stray, there, region_1=wide).matrix,
+            best_fit(here, there, region_1=region).matrix,
+        )
+
+
+def test_a_best_fit_finds_the_border_of_a_mesh_that_is_there_twice() -> None:
+    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + [0.1, 0.2, 0.05])
+    assert here.faces is not None
+    twice = replace(here, faces=np.concatenate((here.faces, here.faces)))
+    assert best_fit(twice, there).overlap == best_fit(here, there).overlap
+    assert np.array_equal(best_fit(twice, there).matrix, best_fit(here, there).matrix)
 
 
 def test_a_cloud_keeps_all_its_nodes() -> None:
