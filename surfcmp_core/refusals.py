@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.linear_algebra import composed, dot
 from surfcmp_core.surface import Surface
+from surfcmp_core.used import used_nodes
 
 LARGEST = 2.0**500
 """Up to here distances and areas in the plane are told without overflow."""
@@ -20,7 +21,7 @@ _RIGID = 1e-6
 
 
 def refuse_surface(surface: Surface, largest: float = LARGEST) -> None:
-    """Refuse nodes and faces that nothing can be computed with.
+    """Refuse nodes and faces that nothing can be computed with; unused nodes are not looked at.
 
     Parameters
     ----------
@@ -38,24 +39,29 @@ def refuse_surface(surface: Surface, largest: float = LARGEST) -> None:
         raise InputError(f"{name}: points are not an array of float64")
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"{name}: points of shape {points.shape}; (n, 3) is needed: x, y, z")
+    if faces is not None and (
+        faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu"
+    ):
+        raise InputError(f"{name}: faces are not (m, 3) whole numbers")
+    used = used_nodes(surface)
     if not points.size:
         return
     # a NaN or an infinity shows in the extremes, so that no mask is made where all is well
     extremes = points.min(axis=0), points.max(axis=0)
-    if not all(np.abs(extreme).max() < largest for extreme in extremes):
-        bad = ~(np.abs(points) < largest)
-        axis = "xyz"[int(np.argmax(bad.any(axis=0)))]
-        first = points[:, "xyz".index(axis)][bad[:, "xyz".index(axis)]][0]
+    if all(np.abs(extreme).max() < largest for extreme in extremes):
+        return
+    bad = ~(np.abs(points) < largest)
+    if used is not None:
+        bad &= used[:, None]
+    if bad.any():
+        axis = int(np.argmax(bad.any(axis=0)))
+        first = points[:, axis][bad[:, axis]][0]
         raise InputError(
             f"{name}: {int(bad.any(axis=1).sum())} of {len(points)} nodes have coordinates that "
             f"are no numbers below {largest:.3g} and give no distances or areas, "
-            f"the first {axis} = {first:.6g}; if it stands for no data, leave those nodes out"
+            f"the first {'xyz'[axis]} = {first:.6g}; if it stands for no data, leave those "
+            "nodes out"
         )
-    if faces is not None:
-        if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
-            raise InputError(f"{name}: faces are not (m, 3) whole numbers")
-        if len(faces) and not (faces.min() >= 0 and faces.max() < len(points)):
-            raise InputError(f"{name}: a face names a node that does not exist")
 
 
 def refuse_pair(first: Surface, second: Surface) -> None:

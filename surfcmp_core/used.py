@@ -47,7 +47,7 @@ def without_unused(surface: Surface) -> Surface:
 
     Parameters, result and errors are those of :func:`used_part`.
     """
-    used = _used(surface)
+    used = used_nodes(surface)
     if used is None or used.all():
         return surface
     faces = surface.faces
@@ -61,12 +61,27 @@ def without_unused(surface: Surface) -> Surface:
 
 def nodes_in_use(surface: Surface) -> NDArray[np.int64]:
     """Give the number that each node of the :func:`used_part` has in the whole surface."""
-    used = _used(_without_repeated(surface))
+    used = used_nodes(_without_repeated(surface))
     return np.arange(len(surface.points)) if used is None else np.flatnonzero(used)
 
 
-def _used(surface: Surface) -> NDArray[np.bool_] | None:
-    """Tell which nodes of a mesh some triangle uses; None for a cloud."""
+def used_nodes(surface: Surface) -> NDArray[np.bool_] | None:
+    """Tell which nodes of a mesh some triangle uses.
+
+    Parameters
+    ----------
+    surface : Surface
+
+    Returns
+    -------
+    (n,) bool or None
+        None for a cloud, and for a mesh without triangles.
+
+    Raises
+    ------
+    InputError
+        A triangle names a node that is not there.
+    """
     faces, n = surface.faces, len(surface.points)
     if faces is None or not faces.size:
         return None
@@ -82,7 +97,7 @@ def _used(surface: Surface) -> NDArray[np.bool_] | None:
 
 def _without_repeated(surface: Surface) -> Surface:
     faces = surface.faces
-    if _used(surface) is None:
+    if used_nodes(surface) is None:
         return surface
     assert faces is not None
     repeated = repeated_triangles(surface.points, faces)

@@ -83,10 +83,10 @@ def best_fit(
     method: Method = "icp overlap" if overlap_only else "icp"
     if region_1 is not None or region_2 is not None:
         method = "icp region"
-    surface_1, region_1 = used_of(surface_1, region_1)
-    surface_2, region_2 = used_of(surface_2, region_2)
     for surface in (surface_1, surface_2):
         refuse_surface(surface, LARGEST_IN_SPACE)
+    surface_1, region_1 = used_of(surface_1, region_1)
+    surface_2, region_2 = used_of(surface_2, region_2)
     placed = surface_2 if start is None else moved(surface_2, motion_of(start, "start"))
     origin = (surface_1.points.mean(axis=0) + placed.points.mean(axis=0)) / 2.0
     sides = side_of(surface_1, region_1, origin), side_of(placed, region_2, origin)

@@ -95,8 +95,8 @@ SURFACES: dict[str, tuple[Surface, str]] = {
     ),
     "float32": (Surface(ONE.points.astype(np.float32), name="f"), "f: points are not an array of"),
     "two columns": (Surface(ONE.points[:, :2], name="f"), r"f: points of shape \(300, 2\)"),
-    "a face beyond": (Surface(ONE.points[:3], FACES, name="f"), "f: a face names a node that does"),
-    "a face below": (Surface(ONE.points, FACES - 1, name="f"), "f: a face names a node that does"),
+    "a face beyond": (Surface(ONE.points[:3], FACES, name="f"), "f: a triangle names node"),
+    "a face below": (Surface(ONE.points, FACES - 1, name="f"), "f: a triangle names node"),
     "quads": (
         Surface(ONE.points, np.zeros((2, 4), np.int32), name="f"),
         r"f: faces are not \(m, 3",

@@ -172,7 +172,7 @@ def test_layers_that_are_merged_count_once(duplicates: Duplicates) -> None:
     points, faces = PLAIN.points, PLAIN.faces
     assert faces is not None
     layers = Surface(
-        np.concatenate((points, points + [0.0, 0.0, 1.0])),
+        np.concatenate((points, points + np.array([0.0, 0.0, 1.0]))),
         np.concatenate((faces, faces + np.int32(len(points)))),
     )
     found = compare(layers, OTHER, duplicates=duplicates, exact=True).measures
@@ -183,6 +183,9 @@ def test_layers_that_are_merged_count_once(duplicates: Duplicates) -> None:
     assert found.exact.coverage_1 == plain.exact.coverage_1
 
 
+SHIFT = np.array([0.1, 0.2, 0.05])
+
+
 def _wavy(mesh: Surface) -> Surface:
     points = mesh.points.copy()
     points[:, 2] += np.sin(points[:, 0] / 3.0) * np.cos(points[:, 1] / 4.0)
@@ -191,7 +194,7 @@ def _wavy(mesh: Surface) -> Surface:
 
 @pytest.mark.parametrize("where", STRAY)
 def test_a_best_fit_knows_no_unused_nodes(where: str) -> None:
-    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + [0.1, 0.2, 0.05])
+    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + SHIFT)
     region = here.points[:, 0] < 15.0
     for first in (True, False):
         stray = _with_nodes(here, STRAY[where], first)
@@ -206,7 +209,7 @@ def test_a_best_fit_knows_no_unused_nodes(where: str) -> None:
 
 
 def test_a_best_fit_finds_the_border_of_a_mesh_that_is_there_twice() -> None:
-    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + [0.1, 0.2, 0.05])
+    here, there = _wavy(PLAIN), replace(_wavy(PLAIN), points=_wavy(PLAIN).points + SHIFT)
     assert here.faces is not None
     twice = replace(here, faces=np.concatenate((here.faces, here.faces)))
     assert best_fit(twice, there).overlap == best_fit(here, there).overlap
