@@ -6,21 +6,20 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cautions import cautions, nothing_common
 from surfcmp_core.comparison import Comparison, Domain, Options, Weight
-from surfcmp_core.domain import Footprint, Reason, reasons
-from surfcmp_core.domain.layers import MIXED, share_among_layers
+from surfcmp_core.domain import Footprint, OwnFaces, Reason, reasons
+from surfcmp_core.domain.layers import share_among_layers
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, box_of, grid_of, safe_scale, shared_nodes
 from surfcmp_core.interface import kernels_are_ready
-from surfcmp_core.io.facts import folded_share
-from surfcmp_core.io.no_data import suspected
-from surfcmp_core.linear_algebra import composed, length
+from surfcmp_core.linear_algebra import composed
 from surfcmp_core.localisation import locate_along_tree
 from surfcmp_core.measures import hausdorff, measure, measure_exactly, triangle_areas
 from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection import moved
 from surfcmp_core.refusals import motion_of, refuse_pair, refuse_surface, weight_at
-from surfcmp_core.side import Side, footprint_of
+from surfcmp_core.side import Side, faces_of, footprint_of
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.stages import Clock, at_once, both
 from surfcmp_core.surface import Surface
@@ -28,11 +27,8 @@ from surfcmp_core.system.memory import check_comparison
 from surfcmp_core.together import bring_together, carried
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
-from surfcmp_core.used import UNUSED, used_part
+from surfcmp_core.used import used_part
 from surfcmp_core.warming import begin_to_compile
-
-_ALIKE = 5.0
-"""Surfaces whose sizes differ by more than this factor are questioned."""
 
 
 def _explained(progress: Progress) -> Progress:
@@ -48,75 +44,6 @@ def _placed(surface: Surface, motion: NDArray[np.float64]) -> Surface:
     if placed is not surface:
         refuse_surface(placed)
     return placed
-
-
-def _unused(surface: Surface) -> list[str]:
-    count = surface.dropped.get(UNUSED)
-    return [f"{count} nodes that no triangle uses are left out"] if count else []
-
-
-def _changed(surface: Surface) -> dict[str, int]:
-    """Tell what its reader did and saw; of arrays, which none has read, what one would see."""
-    return surface.changed if surface.path else {**surface.changed, **suspected(surface.points)}
-
-
-def _folding(surface: Surface) -> list[str]:
-    share = folded_share(surface)
-    return [f"{100.0 * share:.3g} % of the area, seen along z, folds over"] if share else []
-
-
-def _layered(share: float) -> list[str]:
-    if share <= MIXED:
-        return []
-    return [
-        f"not one-valued: seen along z, {100.0 * share:.3g} % of its nodes lie among nodes of "
-        "another layer, as where front and back are mixed (--project auto keeps what is seen)"
-    ]
-
-
-def _nothing_common(
-    first: Surface, second: Surface, limits: tuple[float, float], *, derived: bool
-) -> str:
-    """Say that there is nothing to compare, and how far the edges of clouds may reach."""
-    told = [
-        f"{limit:.4g} {surface.unit or ''}".rstrip() + f" ({surface.name})"
-        for surface, limit in zip((first, second), limits, strict=True)
-        if limit < np.inf
-    ]
-    text = f"{first.name} and {second.name}: no common area to compare"
-    if not told:
-        return text
-    how = ", as derived from the spacing of the nodes" if derived else ""
-    return (
-        f"{text}; over edges longer than {' and '.join(told)} a cloud has no data{how}"
-        " (--max-edge says how long they may be)"
-    )
-
-
-def _unlike(first: Surface, second: Surface) -> list[str]:
-    """Question a pair of which one is far larger than the other: their units may differ."""
-    sizes = [length(np.ptp(s.points, axis=0)) for s in (first, second)]
-    ratio = max(sizes) / min(sizes)
-    if ratio <= _ALIKE:
-        return []
-    return [
-        f"{first.name} and {second.name}: one is {ratio:.3g} times as large as the other; "
-        "are both in the same unit?"
-    ]
-
-
-def _warnings(first: Surface, second: Surface, among_layers: Sequence[float]) -> tuple[str, ...]:
-    notes = [
-        f"{surface.name}: {note}"
-        for surface, share in zip((first, second), among_layers, strict=True)
-        for note in (
-            *(f"{count} {what}" for what, count in _changed(surface).items()),
-            *_unused(surface),
-            *_folding(surface),
-            *_layered(share),
-        )
-    ]
-    return (*notes, *_unlike(first, second))
 
 
 def compare(
@@ -232,7 +159,9 @@ def compare(
                 lambda share: progress("interface", 0.5 + 0.2 * share),
             )
 
-    def around(this: int, other: int) -> tuple[NDArray[np.int32], float, Footprint]:
+    def around(
+        this: int, other: int
+    ) -> tuple[NDArray[np.int32], float, Footprint, OwnFaces | None]:
         """Locate the other grid in this one; the farthest of its nodes; where this one has data."""
         with clock.stage("locate"):
             found = locate_along_tree(
@@ -250,18 +179,19 @@ def compare(
         with clock.stage("interpolate"):
             limit = None if max_edge is None else max_edge * scale
             footprint = footprint_of(grids[this], triangulations[this], ends[this], domain, limit)
-        return found, farthest, footprint
+            faces = faces_of(grids[this], triangulations[this])
+        return found, farthest, footprint, faces
 
     # merging needs none of the three, nor they it (the paper, after the stages)
-    scaled, ((found_1, farthest_2, footprint_1), (found_2, farthest_1, footprint_2)) = at_once(
-        merge, lambda: (around(0, 1), around(1, 0)), threads
-    )
+    scaled, (around_1, around_2) = at_once(merge, lambda: (around(0, 1), around(1, 0)), threads)
+    found_1, farthest_2, footprint_1, faces_1 = around_1
+    found_2, farthest_1, footprint_2, faces_2 = around_2
 
     with clock.stage("interpolate", 0.7):
         nodes_1, nodes_2 = triangulations[0].nodes, triangulations[1].nodes
         sides = (
-            Side(grids[0], footprint_1, scaled.node_1, scaled.node_2, nodes_2, found_1),
-            Side(grids[1], footprint_2, scaled.node_2, scaled.node_1, nodes_1, found_2),
+            Side(grids[0], footprint_1, scaled.node_1, scaled.node_2, nodes_2, found_1, faces_1),
+            Side(grids[1], footprint_2, scaled.node_2, scaled.node_1, nodes_1, found_2, faces_2),
         )
         (z1, at_1), (z2, at_2) = both(
             lambda side: side.values(len(scaled.nodes), domain), *sides, threads
@@ -284,15 +214,20 @@ def compare(
                 replace(triangulations[0], nodes=grids[0].nodes),
                 replace(triangulations[1], nodes=grids[1].nodes),
             )
-        reason = reasons(state_1, state_2, triangle_areas(united.nodes, united.triangles))
+        areas = triangle_areas(united.nodes, united.triangles)
+        reason = reasons(state_1, state_2, areas)
         compared = reason == Reason.COMPARED
         if not compared.any():
             limits = footprint_1.max_edge / scale, footprint_2.max_edge / scale
-            raise InputError(_nothing_common(*placed, limits, derived=max_edge is None))
+            raise InputError(nothing_common(*placed, limits, derived=max_edge is None))
         node_weight = None
         if weight is not None:
             node_weight = weight_at(weight, united.nodes)
-        footprints = [side.area(domain, scaled) / scale / scale for side in sides]
+        linear = both(lambda side: side.linear(domain), *sides, threads)
+        covered = [
+            side.covered(domain, one, scaled, areas, compared, threads)
+            for side, one in zip(sides, linear, strict=True)
+        ]
         values, measures = measure(
             united.nodes,
             united.label,
@@ -302,23 +237,22 @@ def compare(
             compared,
             tolerances=tolerances,
             node_weight=node_weight,
-            footprint_1=footprints[0],
-            footprint_2=footprints[1],
+            footprint_1=covered[0],
+            footprint_2=covered[1],
             hausdorff=(farthest_1, farthest_2),
             threads=threads,
         )
+        faces = both(Side.mesh_faces, *sides, threads)
         exact_values = None
         if exact:
-            footprints = [side.exact_area(domain, scaled) / scale / scale for side in sides]
             exact_values, exact_measures = measure_exactly(
-                sides[0].linear(domain),
-                sides[1].linear(domain),
+                linear[0],
+                linear[1],
                 scaled,
                 length=1.0 / scale,
                 tolerances=tolerances,
                 node_weight=node_weight,
-                footprint_1=footprints[0],
-                footprint_2=footprints[1],
+                continued=domain == "plane",
                 hausdorff=(farthest_1, farthest_2),
                 threads=threads,
                 progress=lambda share: progress("exact measures", 0.9 + 0.1 * share),
@@ -345,5 +279,7 @@ def compare(
         None if exact_values is None else exact_values.mean_signed,
         view,
         clock.seconds(),
-        (*together.warnings, *_warnings(*placed, among_layers)),
+        (*together.warnings, *cautions(placed, among_layers, faces)),
+        (covered[0], covered[1]),
+        (faces[0], faces[1]),
     )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.domain import Reason
 from surfcmp_core.grid import Duplicates, Grid
+from surfcmp_core.measures import Covered
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation
@@ -44,6 +45,20 @@ class Options:
                 raise ValueError(f"tolerance {tolerance} is not a number, zero or above")
         if not (isinstance(self.threads, int) and self.threads >= 1):
             raise ValueError(f"threads {self.threads} is not a whole number above zero")
+
+
+@dataclass(frozen=True, slots=True)
+class MeshFaces:
+    """How the faces of a mesh's file differ from the triangles of T1, on which F̂ is linear."""
+
+    replaced: int
+    """Faces with an area in the plane that are not triangles of T1."""
+    overlapping: int
+    """Faces that lie over others in the plane, so that not all are taken as the file has them."""
+    mean_difference: float
+    """Mean of |z of the file's own surface - F̂| over the area under the faces, length."""
+    largest_difference: float
+    """The largest such difference, length."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,6 +105,10 @@ class Comparison:
     """Wall time of read, triangulate, spanning_trees, locate, interpolate, interface, measures,
     total."""
     warnings: tuple[str, ...] = ()
+    footprints: tuple[Covered, Covered] = (Covered(0.0), Covered(0.0))
+    """Where each surface has data."""
+    faces: tuple[MeshFaces | None, MeshFaces | None] = (None, None)
+    """Of each mesh; None of a cloud."""
 
     @property
     def compared(self) -> NDArray[np.bool_]:

@@ -5,19 +5,39 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Comparison, Domain
-from surfcmp_core.domain import Footprint, footprint_of_cloud, footprint_of_mesh
+from surfcmp_core.comparison import Comparison, Domain, MeshFaces
+from surfcmp_core.domain import (
+    Footprint,
+    OwnFaces,
+    footprint_of_cloud,
+    footprint_of_mesh,
+    own_faces,
+)
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
+from surfcmp_core.domain.gaps import NO_GAPS, gaps_of
 from surfcmp_core.domain.layers import share_among_layers
 from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.grid import Grid, grid_of, safe_scale
 from surfcmp_core.interpolation import interpolate
-from surfcmp_core.measures import LinearSurface, triangle_areas
+from surfcmp_core.localisation import relocate
+from surfcmp_core.measures import (
+    Covered,
+    LinearSurface,
+    area_within,
+    disagreement,
+    shares_within,
+    triangle_areas,
+)
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation, triangulate
 from surfcmp_core.triangulation.half_edges import leaving_edges
 from surfcmp_core.united import United
+
+
+def faces_of(grid: Grid, triangulation: Triangulation) -> OwnFaces | None:
+    """Find a mesh's own faces among the triangles of T1, or turn edges until they are there."""
+    return None if grid.faces is None else own_faces(triangulation, grid.faces)
 
 
 def footprint_of(
@@ -152,6 +172,8 @@ class Side:
         The other grid's nodes.
     found : (n',) int32
         Where those lie in the surface's triangulation.
+    faces : OwnFaces or None
+        A mesh's own faces; None of a cloud.
     """
 
     grid: Grid
@@ -160,6 +182,7 @@ class Side:
     other: NDArray[np.int32]
     queries: NDArray[np.float64]
     found: NDArray[np.int32]
+    faces: OwnFaces | None
 
     def values(self, count: int, domain: Domain) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """Give F̂ at all N = `count` nodes of T, NaN without data, and the state there."""
@@ -198,23 +221,56 @@ class Side:
             ask_centroids=domain == "data",
         )
 
-    def area(self, domain: Domain, united: United) -> float:
-        """Area over which the surface is known: its data, its hull, or all of T."""
-        if domain == "data":
-            return self.footprint.area
-        t = self.footprint.triangulation if domain == "hull" else united
-        return float(np.sort(triangle_areas(t.nodes, t.triangles)).sum())
-
-    def exact_area(self, domain: Domain, united: United) -> float:
-        """Area as `area` has it, but of whole triangles of `linear` where those are not faces."""
-        if domain != "data":
-            return self.area(domain, united)
-        t = self.footprint.triangulation
-        areas = triangle_areas(t.nodes, t.triangles[self.footprint.covered])
-        return float(np.sort(areas).sum())
-
     def linear(self, domain: Domain) -> LinearSurface:
-        """Give F̂ on the surface's own triangles; outside its hull nothing is integrated exactly."""
-        triangulation = self.footprint.triangulation
-        valid = self.footprint.covered if domain == "data" else np.ones(triangulation.real, bool)
-        return LinearSurface(triangulation, self.grid.z, valid, self.found)
+        """Give F on the surface's own triangles: a mesh's faces, in a cloud those of T1.
+
+        Outside its hull nothing is known of it. Under "hull" and "plane" it is linear between a
+        mesh's faces, too, on some triangles.
+        """
+        t = self.footprint.triangulation
+        planes, valid, found = t.triangles, self.footprint.covered, self.found
+        if self.faces is not None:
+            before, t = t, self.faces.triangulation
+            planes, valid = self.faces.planes, self.faces.valid
+            if t is not before:
+                found = relocate(t, before, self.queries, found)
+        if domain != "data":
+            valid = np.ones(t.real, np.bool_)
+        return LinearSurface(t, self.grid.z, planes, valid, found)
+
+    def covered(
+        self,
+        domain: Domain,
+        linear: LinearSurface,
+        scaled: United,
+        areas: NDArray[np.float64],
+        compared: NDArray[np.bool_],
+        threads: int,
+    ) -> Covered:
+        """Tell how much of T lies where the surface is known: its data, its hull, or all of T.
+
+        `scaled` has the coordinates of the surface's triangulation, `areas` (M,) those of the
+        result.
+        """
+        shares = np.ones(len(areas))
+        if domain != "plane":
+            t, without = linear.triangulation, ~linear.valid
+            gaps = gaps_of(t.nodes, t.triangles[without]) if without.any() else NO_GAPS
+            shares = shares_within(linear, scaled, self.own, self.other, gaps, threads)
+        all_inside = bool((shares[compared] == 1.0).all())
+        return Covered(area_within(areas, shares), None if all_inside else shares)
+
+    def mesh_faces(self) -> MeshFaces | None:
+        """Tell how a mesh's own faces differ from the triangles of T1; None of a cloud."""
+        if self.faces is None:
+            return None
+        before, own = self.footprint.triangulation, self.faces.triangulation
+        mean = largest = 0.0
+        if own is not before:
+            z, nowhere = self.grid.z, np.empty(0, np.int32)
+            everywhere = np.ones(before.real, np.bool_)
+            mean, largest = disagreement(
+                LinearSurface(before, z, before.triangles, everywhere, nowhere),
+                LinearSurface(own, z, self.faces.planes, self.faces.valid, nowhere),
+            )
+        return MeshFaces(self.faces.replaced, self.faces.overlapping, mean, largest)

@@ -60,7 +60,7 @@ def compile_later_stages() -> None:
     from surfcmp_core.domain.footprint import states_at, states_of_triangles
     from surfcmp_core.interpolation import interpolate
     from surfcmp_core.localisation import locate_along_tree
-    from surfcmp_core.measures import hausdorff, measure, triangle_areas
+    from surfcmp_core.measures import Covered, hausdorff, measure, triangle_areas
     from surfcmp_core.triangulation import Triangulation
 
     nodes = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
@@ -85,7 +85,7 @@ def compile_later_stages() -> None:
         z + 0.5,
         compared,
         tolerances=(1.0,),
-        footprint_1=1.0,
-        footprint_2=1.0,
+        footprint_1=Covered(1.0),
+        footprint_2=Covered(1.0),
         hausdorff=(0.0, 0.0),
     )

@@ -148,7 +148,7 @@ def _measure(
         tolerances=comparison.options.tolerances,
         node_weight=comparison.weight,
         triangle_weight=triangle_weight,
-        footprint_1=whole.area_compared / whole.coverage_1,
-        footprint_2=whole.area_compared / whole.coverage_2,
+        footprint_1=comparison.footprints[0],
+        footprint_2=comparison.footprints[1],
         hausdorff=(whole.hausdorff_1_2, whole.hausdorff_2_1),
     )[1]

@@ -6,13 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
+from surfcmp_core.domain.centroids import centroids, mean_of
 from surfcmp_core.domain.gaps import NO_GAPS, gaps_of
+from surfcmp_core.domain.matching import match_faces
 from surfcmp_core.domain.spacing import limits_of_edges
 from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.localisation.localisation import walk_to
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation
-from surfcmp_core.triangulation.half_edges import following, leaving_edges, preceding
+from surfcmp_core.triangulation.half_edges import following
 
 DATA = np.uint8(0)
 OUTSIDE = np.uint8(1)
@@ -59,34 +61,6 @@ class Footprint:
     def is_hull(self) -> bool:
         """Whether there is data in all of the convex hull."""
         return not self.state[: self.triangulation.real].any()
-
-
-@kernel
-def _match_faces(
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    leaving: NDArray[np.int32],
-    faces: NDArray[np.int32],
-    state: NDArray[np.uint8],
-    other: NDArray[np.bool_],
-) -> None:
-    """Mark triangles that are faces of the model as DATA, and faces that are no triangles."""
-    for f in range(faces.shape[0]):
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        other[f] = True
-        if a == b or b == c or c == a:
-            continue
-        begin = leaving[a]
-        h = begin
-        while True:
-            d, e = start[following(h)], start[preceding(h)]
-            if (d == b and e == c) or (d == c and e == b):
-                state[h // 3] = 0
-                other[f] = False
-                break
-            h = twin[preceding(h)]
-            if h == begin:
-                break
 
 
 @kernel
@@ -178,9 +152,8 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
     """
     t = triangulation
     state = np.full(len(t.start) // 3, HOLE, np.uint8)
-    leaving = leaving_edges(t.start, len(t.nodes))
-    other = np.empty(len(faces), np.bool_)
-    _match_faces(t.start, t.twin, leaving, faces, state, other)
+    whole, other = match_faces(t, faces)
+    state[: t.real][whole] = DATA
     areas = np.empty(len(faces))
     _areas(t.nodes, faces, areas)
     other &= areas > 0.0
@@ -188,8 +161,8 @@ def footprint_of_mesh(triangulation: Triangulation, faces: NDArray[np.int32]) ->
     if other.any():
         buckets = buckets_of(t.nodes, faces[other])
         open_ = np.flatnonzero(state[: t.real] == HOLE)
-        centroids = _centroids(t.nodes, t.triangles[open_])
-        state[open_[covered_by(buckets, centroids)]] = _PARTIAL
+        middles = centroids(t.nodes, t.triangles[open_])
+        state[open_[covered_by(buckets, middles)]] = _PARTIAL
     _flood_outside(t.twin, t.real, state)
     at_node = np.empty(len(t.nodes), np.uint8)
     _at_nodes(t.start, state, at_node)
@@ -266,30 +239,6 @@ def _states(
 
 
 @kernel
-def _mean_of(a: float, b: float, c: float) -> float:
-    """Mean, the same to the last bit in whichever order."""
-    low, high = min(min(a, b), c), max(max(a, b), c)
-    middle = max(min(a, b), min(max(a, b), c))
-    return (low + middle + high) / 3.0
-
-
-@kernel
-def _fill_centroids(
-    nodes: NDArray[np.float64], triangles: NDArray[np.int32], centroids: NDArray[np.float64]
-) -> None:
-    for t in range(triangles.shape[0]):
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        for i in range(2):
-            centroids[t, i] = _mean_of(nodes[a, i], nodes[b, i], nodes[c, i])
-
-
-def _centroids(nodes: NDArray[np.float64], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
-    centroids = np.empty((len(triangles), 2))
-    _fill_centroids(nodes, triangles, centroids)
-    return centroids
-
-
-@kernel
 def _states_of_triangles(
     nodes: NDArray[np.float64],
     start: NDArray[np.int32],
@@ -315,8 +264,8 @@ def _states_of_triangles(
         elif p == 2 or q == 2 or r == 2:
             states[t] = 2
         elif ask_centroids:
-            x = _mean_of(corners[a, 0], corners[b, 0], corners[c, 0])
-            y = _mean_of(corners[a, 1], corners[b, 1], corners[c, 1])
+            x = mean_of(corners[a, 0], corners[b, 0], corners[c, 0])
+            y = mean_of(corners[a, 1], corners[b, 1], corners[c, 1])
             column = int(min(max((x - x0) * per_cell, 0.0), near_gap.shape[1] - 1.0))
             row = int(min(max((y - y0) * per_cell, 0.0), near_gap.shape[0] - 1.0))
             if near_gap[row, column]:
@@ -379,8 +328,8 @@ def states_of_triangles(
         # nodes have been asked already: what is left are centroids beside triangles that are faces
         asked = np.flatnonzero(states != DATA)
         asked = asked[(node_states[triangles[asked]] == DATA).all(axis=1)]
-        centroids = _centroids(nodes, triangles[asked])
-        states[asked[covered_by(footprint.faces, centroids)]] = DATA
+        middles = centroids(nodes, triangles[asked])
+        states[asked[covered_by(footprint.faces, middles)]] = DATA
         states[states == _PARTIAL] = HOLE
     return states
 

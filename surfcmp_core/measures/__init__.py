@@ -3,17 +3,22 @@
 from surfcmp_core.measures.hausdorff import hausdorff
 from surfcmp_core.measures.measure import measure
 from surfcmp_core.measures.measures import Measures
-from surfcmp_core.measures.overlay import measure_exactly
+from surfcmp_core.measures.overlay import disagreement, measure_exactly
 from surfcmp_core.measures.overlay_side import LinearSurface
-from surfcmp_core.measures.totals import TriangleValues
+from surfcmp_core.measures.totals import Covered, TriangleValues
 from surfcmp_core.measures.triangle_area import triangle_areas
+from surfcmp_core.measures.within import area_within, shares_within
 
 __all__ = [
+    "Covered",
     "LinearSurface",
     "Measures",
     "TriangleValues",
+    "area_within",
+    "disagreement",
     "hausdorff",
     "measure",
     "measure_exactly",
+    "shares_within",
     "triangle_areas",
 ]

@@ -61,6 +61,7 @@ def cut_by_triangle(
     source: int,
     count: int,
     lines: NDArray[np.float64],
+    which: int,
     edges: int,
     spare: int,
     other_spare: int,
@@ -73,9 +74,9 @@ def cut_by_triangle(
         Polygons, counter-clockwise, in shares; two of the k are spare and get overwritten.
     source, count : int
         Which polygon, and its corners: at least 3.
-    lines : (3, 3) float64
-        Of each edge of the cutting triangle the area it spans with each node of the triangle of T,
-        positive on the inside.
+    lines : (k, 3, 3) float64
+        In its row `which`, of each edge of the cutting triangle the area it spans with each node of
+        the triangle of T, positive on the inside.
     edges : int
         Bit k: the k-th edge may run through the polygon; others are left out.
     spare, other_spare : int
@@ -88,16 +89,25 @@ def cut_by_triangle(
     """
     for k in range(3):
         if edges >> k & 1 and count >= 3:
-            count = _cut(polygons, source, count, lines[k, 0], lines[k, 1], lines[k, 2], spare)
+            count = _cut(
+                polygons,
+                source,
+                count,
+                lines[which, k, 0],
+                lines[which, k, 1],
+                lines[which, k, 2],
+                spare,
+            )
             source, spare, other_spare = spare, other_spare, spare
     return source, count
 
 
 @kernel
-def plainest(polygons: NDArray[np.float64], which: int, count: int) -> int:
-    """Choose the node whose shares to leave out of areas: the one that all corners are nearest to.
+def small_shares(polygons: NDArray[np.float64], which: int, count: int) -> tuple[int, int]:
+    """Choose the two nodes whose shares to take areas from, in order.
 
-    The other two are small where the polygon is, and keep their digits.
+    They are small where the polygon is, and keep their digits: the third node is the one that all
+    corners are nearest to.
     """
     best = 0
     largest = -1.0
@@ -108,11 +118,15 @@ def plainest(polygons: NDArray[np.float64], which: int, count: int) -> int:
         if least > largest:
             best = node
             largest = least
-    return best
+    if best == 0:
+        return 1, 2
+    if best == 1:
+        return 2, 0
+    return 0, 1
 
 
 @kernel
-def fan_share(polygons: NDArray[np.float64], which: int, k: int, without: int) -> float:
+def fan_share(polygons: NDArray[np.float64], which: int, k: int, i: int, j: int) -> float:
     """Share of the triangle of T that the corners 0, k - 1 and k of a polygon span.
 
     Parameters
@@ -121,10 +135,9 @@ def fan_share(polygons: NDArray[np.float64], which: int, k: int, without: int) -
         The polygon.
     k : int
         From 2 on.
-    without : int
-        The node that `plainest` chose.
+    i, j : int
+        The nodes that `small_shares` chose.
     """
-    i, j = (without + 1) % 3, (without + 2) % 3
     pi, pj = polygons[which, 0, i], polygons[which, 0, j]
     ui, uj = polygons[which, k - 1, i] - pi, polygons[which, k - 1, j] - pj
     vi, vj = polygons[which, k, i] - pi, polygons[which, k, j] - pj

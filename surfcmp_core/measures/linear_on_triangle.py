@@ -20,7 +20,8 @@ def set_frame(
     cx: float,
     cy: float,
     cz: float,
-    frame: NDArray[np.float64],
+    frames: NDArray[np.float64],
+    which: int,
 ) -> None:
     """Describe the function with these values at the nodes of a counter-clockwise triangle.
 
@@ -28,8 +29,9 @@ def set_frame(
     ----------
     ax, ay, az, bx, by, bz, cx, cy, cz : float
         Nodes and values.
-    frame : (FRAME,) float64
-        Filled in.
+    frames : (k, FRAME) float64
+        Its row `which` is filled in, but for the box: the last four numbers are the smallest and
+        largest x and y of the part of the triangle that is to be asked about.
     """
     ab = (bx - ax) * (bx - ax) + (by - ay) * (by - ay)
     bc = (cx - bx) * (cx - bx) + (cy - by) * (cy - by)
@@ -42,36 +44,21 @@ def set_frame(
         ax, ay, az, bx, by, bz, cx, cy, cz = cx, cy, cz, ax, ay, az, bx, by, bz
         longest = ca
     ux, uy, vx, vy = bx - ax, by - ay, cx - ax, cy - ay
-    frame[0] = ax
-    frame[1] = ay
-    frame[2] = ux
-    frame[3] = uy
-    frame[4] = longest
-    frame[5] = ux * vy - uy * vx
-    frame[6] = min(max((ux * vx + uy * vy) / longest, 0.0), 1.0)
-    frame[7] = az
-    frame[8] = bz - az
-    frame[9] = cz - az
-    frame[10] = min(min(ax, bx), cx)
-    frame[11] = max(max(ax, bx), cx)
-    frame[12] = min(min(ay, by), cy)
-    frame[13] = max(max(ay, by), cy)
+    frames[which, 0] = ax
+    frames[which, 1] = ay
+    frames[which, 2] = ux
+    frames[which, 3] = uy
+    frames[which, 4] = 1.0 / longest
+    twice = ux * vy - uy * vx
+    frames[which, 5] = 1.0 / twice if twice > 0.0 else 0.0
+    frames[which, 6] = min(max((ux * vx + uy * vy) / longest, 0.0), 1.0)
+    frames[which, 7] = az
+    frames[which, 8] = bz - az
+    frames[which, 9] = cz - az
 
 
 @kernel
-def moved_into(
-    x: float, y: float, frame: NDArray[np.float64], other: NDArray[np.float64]
-) -> tuple[float, float]:
-    """Move a place that rounding put beyond the tip of a thin triangle into the boxes of both."""
-    x = min(max(x, frame[10]), frame[11])
-    y = min(max(y, frame[12]), frame[13])
-    x = min(max(x, other[10]), other[11])
-    y = min(max(y, other[12]), other[13])
-    return x, y
-
-
-@kernel
-def value_at(x: float, y: float, frame: NDArray[np.float64]) -> tuple[float, float]:
+def value_at(x: float, y: float, frames: NDArray[np.float64], which: int) -> tuple[float, float]:
     """Value at a place on a triangle of the function that is linear on it.
 
     The place is held along the longest edge first, then across. So on a triangle thinner than
@@ -82,8 +69,8 @@ def value_at(x: float, y: float, frame: NDArray[np.float64]) -> tuple[float, flo
     ----------
     x, y : float
         On the triangle, or off it by rounding.
-    frame : (FRAME,) float64
-        Of the function.
+    frames : (k, FRAME) float64
+        Whose row `which` is the function's.
 
     Returns
     -------
@@ -91,15 +78,13 @@ def value_at(x: float, y: float, frame: NDArray[np.float64]) -> tuple[float, flo
         Value at one node, and what is to be added: kept apart so that the difference of two
         surfaces far from 0 keeps its digits. The value lies between the nodes'.
     """
-    vx, vy = x - frame[0], y - frame[1]
-    ux, uy, foot = frame[2], frame[3], frame[6]
-    along = min(max((ux * vx + uy * vy) / frame[4], 0.0), 1.0)
-    third = 0.0
-    if frame[5] > 0.0:
-        third = max((ux * vy - uy * vx) / frame[5], 0.0)
-        if third * foot > along:
-            third = along / foot
-        if third * (1.0 - foot) > 1.0 - along:
-            third = (1.0 - along) / (1.0 - foot)
+    vx, vy = x - frames[which, 0], y - frames[which, 1]
+    ux, uy, foot = frames[which, 2], frames[which, 3], frames[which, 6]
+    along = min(max((ux * vx + uy * vy) * frames[which, 4], 0.0), 1.0)
+    third = max((ux * vy - uy * vx) * frames[which, 5], 0.0)
+    if third * foot > along:
+        third = along / foot
+    if third * (1.0 - foot) > 1.0 - along:
+        third = (1.0 - along) / (1.0 - foot)
     second = max(along - third * foot, 0.0)
-    return frame[7], second * frame[8] + third * frame[9]
+    return frames[which, 7], second * frames[which, 8] + third * frames[which, 9]

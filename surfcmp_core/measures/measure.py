@@ -9,6 +9,9 @@ from surfcmp_core.kernel import kernel
 from surfcmp_core.measures.chunks import over_chunks
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.totals import (
+    WITHIN_1,
+    WITHIN_2,
+    Covered,
     Part,
     TriangleValues,
     add_piece,
@@ -16,6 +19,8 @@ from surfcmp_core.measures.totals import (
     measures_from,
     power_of_two_above,
     refuse_senseless,
+    share_of,
+    totals_of,
     zero_sums,
 )
 from surfcmp_core.measures.triangle_area import triangle_area
@@ -50,6 +55,8 @@ def _pass(
     tolerances: NDArray[np.float64],
     node_weight: NDArray[np.float64],
     triangle_weight: NDArray[np.float64],
+    share_1: NDArray[np.float64],
+    share_2: NDArray[np.float64],
     unit: float,
     areas: NDArray[np.float64],
     means_abs: NDArray[np.float64],
@@ -86,6 +93,8 @@ def _pass(
         if len(triangle_weight):
             weighted *= triangle_weight[t]
         interface = label[i] | label[j] | label[k] == _BOTH
+        triangle_sums[WITHIN_1] = area * share_1[t] if len(share_1) else area
+        triangle_sums[WITHIN_2] = area * share_2[t] if len(share_2) else area
         add_triangle(sums, triangle_sums, interface, absolute, weighted)
         areas[t] = area
         means_abs[t] = absolute * unit
@@ -104,8 +113,8 @@ def measure(
     tolerances: Sequence[float],
     node_weight: NDArray[np.float64] | None = None,
     triangle_weight: NDArray[np.float64] | None = None,
-    footprint_1: float,
-    footprint_2: float,
+    footprint_1: Covered,
+    footprint_2: Covered,
     hausdorff: tuple[float, float],
     threads: int = 1,
 ) -> tuple[TriangleValues, Measures]:
@@ -132,8 +141,8 @@ def measure(
         µ at the nodes, linear on each triangle.
     triangle_weight : (M,) float64, optional
         µ of each triangle; multiplies `node_weight` where both are given.
-    footprint_1, footprint_2 : float
-        Area in the plane over which each surface has data.
+    footprint_1, footprint_2 : Covered
+        Where each surface has data; what of a triangle lies beyond it does not count as coverage.
     hausdorff : (float, float)
         `Measures.hausdorff_1_2` and `Measures.hausdorff_2_1`.
     threads : int
@@ -172,6 +181,8 @@ def measure(
             np.array(tolerances, dtype=np.float64) / unit,
             np.empty(0) if node_weight is None else node_weight,
             np.empty(0) if triangle_weight is None else triangle_weight,
+            np.empty(0) if footprint_1.shares is None else footprint_1.shares,
+            np.empty(0) if footprint_2.shares is None else footprint_2.shares,
             unit,
             values.area,
             values.mean_abs,
@@ -182,12 +193,16 @@ def measure(
             raise ValueError(f"triangle {faulty} lacks area or data and cannot be compared")
         return Part(sums, largest)
 
+    parts = [Part(zero_sums(tolerances), 0.0), *over_chunks(work, count, threads)]
+    total = totals_of(parts)
     return values, measures_from(
-        over_chunks(work, count, threads),
+        parts,
         values,
         unit,
         tolerances=tolerances,
-        footprint_1=footprint_1,
-        footprint_2=footprint_2,
+        coverage=(
+            share_of(total[WITHIN_1], footprint_1.area),
+            share_of(total[WITHIN_2], footprint_2.area),
+        ),
         hausdorff=hausdorff,
     )

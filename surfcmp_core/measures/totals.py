@@ -26,7 +26,10 @@ _SQUARE = 7
 _RHO = 8
 _RHO_INTERFACE = 9
 _RHO_WEIGHTED = 10
-_WITHIN = 11
+WITHIN_1 = 11
+WITHIN_2 = 12
+"""Areas of the triangles within the footprint of either surface."""
+_TOLERATED = 13
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,6 +42,16 @@ class TriangleValues:
     """(M,) mean of |d| over the triangle."""
     mean_signed: NDArray[np.float64]
     """(M,) mean of d over the triangle."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Covered:
+    """Where a surface has data, as far as areas go."""
+
+    area: float
+    """Of its footprint in the plane; what faces cover twice counts once."""
+    shares: NDArray[np.float64] | None = None
+    """(M,) how much of each triangle of T lies in it, 0 to 1; None: all that is compared does."""
 
 
 class Part(NamedTuple):
@@ -58,7 +71,7 @@ def refuse_senseless(tolerances: Sequence[float]) -> None:
 
 def zero_sums(tolerances: Sequence[float]) -> NDArray[np.float64]:
     """Make the sums to begin with, (k, 2) float64, each in two parts."""
-    return np.zeros((_WITHIN + len(tolerances), 2))
+    return np.zeros((_TOLERATED + len(tolerances), 2))
 
 
 def power_of_two_above(largest: float) -> float:
@@ -98,7 +111,7 @@ def add_piece(
     triangle_sums[_VOLUME_BELOW] += area * below
     triangle_sums[_SQUARE] += area * mean_square(lo, mid, hi)
     for n in range(len(tolerances)):
-        triangle_sums[_WITHIN + n] += area * share_within(lo, mid, hi, tolerances[n])
+        triangle_sums[_TOLERATED + n] += area * share_within(lo, mid, hi, tolerances[n])
     return absolute, signed
 
 
@@ -136,14 +149,24 @@ def _ratio(part: float, whole: float) -> float:
     return part / whole if whole else math.nan
 
 
+def totals_of(parts: Sequence[Part]) -> list[float]:
+    """Add up the sums of all parts, in any order to the last bit."""
+    terms = np.concatenate([part.sums for part in parts], axis=1)
+    return [math.fsum(row) for row in terms.tolist()]
+
+
+def share_of(part: float, whole: float) -> float:
+    """Divide two areas; no part of nothing is covered."""
+    return part / whole if whole else 0.0
+
+
 def measures_from(
     parts: Sequence[Part],
     values: TriangleValues,
     unit: float,
     *,
     tolerances: Sequence[float],
-    footprint_1: float,
-    footprint_2: float,
+    coverage: tuple[float, float],
     hausdorff: tuple[float, float],
 ) -> Measures:
     """Make the measures of the sums.
@@ -156,16 +179,17 @@ def measures_from(
         For the percentiles.
     unit : float
         Length in which the parts are.
-    tolerances, footprint_1, footprint_2, hausdorff
+    tolerances, hausdorff
         As for :func:`surfcmp_core.measures.measure`.
+    coverage : (float, float)
+        `Measures.coverage_1` and `Measures.coverage_2`.
 
     Returns
     -------
     Measures
         Where no triangle is compared, sums are 0 and means, percentiles and shares NaN.
     """
-    terms = np.concatenate([zero_sums(tolerances), *(part.sums for part in parts)], axis=1)
-    total = [math.fsum(row) for row in terms.tolist()]
+    total = totals_of(parts)
     largest = max((part.largest for part in parts), default=0.0)
     area, area_interface = total[AREA], total[_AREA_INTERFACE]
     compared = ~np.isnan(values.area)
@@ -189,14 +213,14 @@ def measures_from(
         p95=p95,
         within_tolerance={
             repr(float(tolerance)).removesuffix(".0"): _ratio(within, area)
-            for tolerance, within in zip(tolerances, total[_WITHIN:], strict=True)
+            for tolerance, within in zip(tolerances, total[_TOLERATED:], strict=True)
         },
         volume_above=total[_VOLUME_ABOVE] * unit,
         volume_below=total[_VOLUME_BELOW] * unit,
         area_compared=area,
         area_interface=area_interface,
-        coverage_1=area / footprint_1 if footprint_1 else 0.0,
-        coverage_2=area / footprint_2 if footprint_2 else 0.0,
+        coverage_1=coverage[0],
+        coverage_2=coverage[1],
         hausdorff_1_2=hausdorff[0],
         hausdorff_2_1=hausdorff[1],
     )

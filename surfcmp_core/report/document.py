@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import surfcmp_core
 from surfcmp_core.alignment import record_of_motion
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparison import Comparison, MeshFaces
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
@@ -67,8 +67,10 @@ def make_document(
             "program": program(),
             "created": now(),
             "inputs": [
-                _input(surface, grid)
-                for surface, grid in zip(comparison.surfaces, comparison.grids, strict=True)
+                _input(surface, grid, faces)
+                for surface, grid, faces in zip(
+                    comparison.surfaces, comparison.grids, comparison.faces, strict=True
+                )
             ],
             "options": {
                 **asdict(options),
@@ -124,7 +126,7 @@ def _measures(measures: Measures) -> Document:
     return document
 
 
-def _input(surface: Surface, grid: Grid) -> Document:
+def _input(surface: Surface, grid: Grid, faces: MeshFaces | None) -> Document:
     dropped = {**surface.dropped, **({"merged": grid.merged} if grid.merged else {})}
     return {
         "file": str(surface.path or surface.name),
@@ -133,6 +135,7 @@ def _input(surface: Surface, grid: Grid) -> Document:
         "nodes": len(grid.nodes) + sum(dropped.values()),
         "triangles": 0 if surface.faces is None else len(surface.faces),
         "dropped": dropped,
+        **({} if faces is None else {"faces": asdict(faces)}),
     }
 
 

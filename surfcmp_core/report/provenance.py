@@ -81,7 +81,27 @@ def count_rows(document: Document) -> Rows:
         ("interface triangles", n["triangles_interface"]),
         ("representative triangles", n["triangles_representative"]),
         ("chains", f"{n['chains']} ({n['chains_closed']} closed, {n['chains_open']} open)"),
+        *_face_rows(document),
     ]
+
+
+def _face_rows(document: Document) -> Rows:
+    """Return how many faces of either mesh T1 and T2 have turned, and how far that carries."""
+    unit = document["options"]["unit"]
+    rows = []
+    for k, one in enumerate(document["inputs"], 1):
+        faces = one.get("faces")
+        if faces is None:
+            continue
+        text = f"{thousands(faces['replaced'])} of {thousands(one['triangles'])}"
+        if faces["replaced"]:
+            mean, largest = (
+                " ".join(with_unit(faces[key], 1, unit))
+                for key in ("mean_difference", "largest_difference")
+            )
+            text += f"; the file's surface differs by {mean} in the mean, {largest} at most"
+        rows.append((f"faces of {k} not in T{k}", text))
+    return rows
 
 
 def option_rows(document: Document) -> Rows:

@@ -27,9 +27,10 @@ ORDER = (
     {"interpolation"},
     {"interface"},
     {"united"},
-    {"domain", "measures"},
+    {"domain"},
+    {"measures"},
     {"comparison"},
-    {"side", "stages", "warming"},
+    {"cautions", "side", "stages", "warming"},
     {"compare", "report"},
     {"cli"},
 )

@@ -13,7 +13,14 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core.grid.curve import curve_keys
-from surfcmp_core.measures import Measures, TriangleValues, hausdorff, measure, triangle_areas
+from surfcmp_core.measures import (
+    Covered,
+    Measures,
+    TriangleValues,
+    hausdorff,
+    measure,
+    triangle_areas,
+)
 from surfcmp_core.triangulation import triangulate
 
 Floats = NDArray[np.float64]
@@ -35,8 +42,8 @@ class Case:
         given: dict[str, Any] = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
         further = {
             "tolerances": (0.0, 0.125, 0.5, 1.0),
-            "footprint_1": 1.0,
-            "footprint_2": 4.0,
+            "footprint_1": Covered(1.0),
+            "footprint_2": Covered(4.0),
             "hausdorff": (0.0, 0.0),
         }
         return measure(**(given | further | changed))
@@ -160,7 +167,7 @@ def test_equal_surfaces_differ_by_nothing() -> None:
 @pytest.mark.parametrize("seed", range(20))
 def test_exchange_changes_signs_only(seed: int) -> None:
     case = random_case(seed)
-    values, found = case.measure(footprint_2=1.0)
+    values, found = case.measure(footprint_2=Covered(1.0))
     # The other surface's nodes come first, triangles and their nodes in another order.
     rng = np.random.default_rng(seed)
     place = np.argsort(rng.random(len(case.nodes)))
@@ -177,7 +184,7 @@ def test_exchange_changes_signs_only(seed: int) -> None:
         case.compared[order],
         case.node_weight[place],
     )
-    other_values, exchanged = other.measure(footprint_2=1.0)
+    other_values, exchanged = other.measure(footprint_2=Covered(1.0))
     assert numbers(exchanged) == numbers(found) | {
         "mean_signed": -found.mean_signed,
         "volume_above": found.volume_below,
@@ -361,7 +368,7 @@ def test_nothing_compared() -> None:
     case = random_case()
     case.compared[:] = False
     case.z1[:] = np.nan
-    values, found = case.measure(footprint_1=0.0)
+    values, found = case.measure(footprint_1=Covered(0.0))
     assert np.isnan(values.area).all()
     for key in ("mean_abs", "mean_abs_interface", "mean_signed", "rms", "max_abs", "p50", "p95"):
         assert math.isnan(getattr(found, key))

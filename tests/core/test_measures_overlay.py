@@ -16,6 +16,7 @@ from surfcmp_core.errors import Cancelled
 from surfcmp_core.grid import Grid, box_of, grid_of, shared_nodes
 from surfcmp_core.localisation import locate_from
 from surfcmp_core.measures import (
+    Covered,
     LinearSurface,
     Measures,
     TriangleValues,
@@ -32,8 +33,6 @@ Vector = tuple[Fraction, Fraction]
 
 LAST: dict[str, Any] = {
     "tolerances": (0.25, 1.0),
-    "footprint_1": 1.0,
-    "footprint_2": 2.0,
     "hausdorff": (0.0, 0.0),
 }
 
@@ -51,7 +50,7 @@ class Pair:
         found_1 = locate_from(first, second.nodes, np.zeros(len(second.nodes), np.int32))
         found_2 = locate_from(second, first.nodes, np.zeros(len(first.nodes), np.int32))
         self.surfaces = [
-            LinearSurface(t, g.z, np.ones(t.real, bool), found)
+            LinearSurface(t, g.z, t.triangles, np.ones(t.real, bool), found)
             for t, g, found in zip((first, second), self.grids, (found_1, found_2), strict=True)
         ]
 
@@ -373,7 +372,15 @@ def test_planes_have_one_reading() -> None:
     values, found = pair.measure()
     full = np.abs(values.area - nodal_area(pair)) <= 1e-12
     nodal, _ = measure(
-        pair.united.nodes, pair.united.label, pair.united.triangles, z_1, z_2, full, **LAST
+        pair.united.nodes,
+        pair.united.label,
+        pair.united.triangles,
+        z_1,
+        z_2,
+        full,
+        footprint_1=Covered(1.0),
+        footprint_2=Covered(1.0),
+        **LAST,
     )
     assert values.mean_abs[full] == pytest.approx(nodal.mean_abs[full], rel=1e-10, abs=1e-14)
     assert values.mean_signed[full] == pytest.approx(nodal.mean_signed[full], rel=1e-10, abs=1e-14)
