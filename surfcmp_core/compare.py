@@ -77,7 +77,8 @@ def compare(
         Longest edge over which a cloud has data, in the unit of the comparison; derived from its
         spacing where not given, inf for no limit.
     exact : bool
-        Also integrate exactly over the overlay of T1 and T2, within both hulls.
+        Also integrate exactly: over the overlay of T1 and T2 within both hulls; where `domain` is
+        "data" and a surface is a mesh, on its own faces, over the area common to both.
     tolerances : sequence of float
         Lengths, in the unit of the comparison, for which to give the share of the area within.
     weight : callable, optional

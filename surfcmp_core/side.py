@@ -222,20 +222,20 @@ class Side:
         )
 
     def linear(self, domain: Domain) -> LinearSurface:
-        """Give F on the surface's own triangles: a mesh's faces, in a cloud those of T1.
+        """Give what the exact reading integrates: F on a mesh's own faces, else F̂ on T1.
 
-        Outside its hull nothing is known of it. Under "hull" and "plane" it is linear between a
-        mesh's faces, too, on some triangles.
+        Under "hull" and "plane" no face says where there is data, nor where F is linear: it is F̂,
+        as the paper has it. Outside its hull nothing is known of it.
         """
         t = self.footprint.triangulation
         planes, valid, found = t.triangles, self.footprint.covered, self.found
-        if self.faces is not None:
+        if domain != "data":
+            valid = np.ones(t.real, np.bool_)
+        elif self.faces is not None:
             before, t = t, self.faces.triangulation
             planes, valid = self.faces.planes, self.faces.valid
             if t is not before:
                 found = relocate(t, before, self.queries, found)
-        if domain != "data":
-            valid = np.ones(t.real, np.bool_)
         return LinearSurface(t, self.grid.z, planes, valid, found)
 
     def covered(

@@ -14,6 +14,7 @@ from surfcmp_core.measures.overlay_side import (
     precedes,
     side_of,
 )
+from surfcmp_core.measures.pieces import integrate_pieces
 from surfcmp_core.measures.totals import (
     AREA,
     WITHIN_1,

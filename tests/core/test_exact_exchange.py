@@ -156,7 +156,8 @@ def test_planes_do_not_differ_on_any_triangles(family: str) -> None:
             try:
                 found = compare(_plane(pair.first), _plane(pair.second), domain=domain, exact=True)
             except InputError as error:
-                assert "no common area" in str(error)  # noqa: PT017
+                told = str(error)
+                assert "no common area" in told or "too large to give volumes" in told
                 continue
             measures = found.measures.exact
             assert measures is not None
