@@ -55,10 +55,11 @@ class Front(QObject):
 
     def _compared(self, result: Compared) -> None:
         self._frame.show_views(True)
-        self._measures.show_measures(result.comparison.measures, self._session.unit)
+        comparison = result.content.comparison  # with the regions' weights
+        self._measures.show_measures(comparison.measures, self._session.unit)
         names = " – ".join(path.name for path in result.document.paths if path)
         self._frame.show_heading(f"{names} – surfcmp", self._summary(result))
-        if warnings := result.comparison.warnings:
+        if warnings := comparison.warnings:
             self._telling.tell("\n".join(warnings), "note")
 
     def _show(self) -> None:
@@ -69,7 +70,7 @@ class Front(QObject):
             self._frame.dress(state.dark)
 
     def _summary(self, result: Compared) -> str:
-        comparison, counts = result.comparison, result.content.counts
+        comparison, counts = result.content.comparison, result.content.counts
         measures = comparison.measures
         parts = [
             self.tr("{} + {} nodes").format(

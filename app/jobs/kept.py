@@ -64,9 +64,11 @@ class Kept:
         Returns
         -------
         Path or None
-            The session that it had saved last, in this window's folder from now on.
+            The session that it had saved last, in this window's folder from now on. None where
+            there is none, and where this window keeps something already: then it has begun.
         """
-        assert self._held is None
+        if self._held is not None:
+            return None
         left = sorted(self._left_behind(), key=lambda one: one[0].stat().st_mtime)
         if not left:
             return None
