@@ -28,6 +28,15 @@ from surfcmp_core.together import bring_together, carried
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
 from surfcmp_core.used import used_part
+from surfcmp_core.verification import (
+    check_cover,
+    check_exchange,
+    check_measures,
+    check_sums,
+    check_united,
+    check_values,
+    keeping,
+)
 from surfcmp_core.warming import begin_to_compile
 
 
@@ -59,6 +68,7 @@ def compare(
     threads: int = 2,
     align: NDArray[np.float64] | None = None,
     frame: NDArray[np.float64] | None = None,
+    verify: bool = False,
     progress: Progress = silent,
     read_seconds: float = 0.0,
 ) -> Comparison:
@@ -91,6 +101,9 @@ def compare(
         Motion of surface 2 onto surface 1, before `frame`; in the unit and axes of surface 1.
     frame : (4, 4) float64, optional
         Motion of both surfaces into the plane of comparison, z along the view; in the same.
+    verify : bool
+        Check all that must hold of the result, not only what takes no time
+        (:mod:`surfcmp_core.verification`).
     progress : callable
         Told the stage and the share done; may raise `Cancelled`.
     read_seconds : float
@@ -106,6 +119,8 @@ def compare(
         The surfaces cannot be compared, or the weight gives no numbers from 0 on.
     ValueError
         An option that means nothing; `align` or `frame` is not a rigid motion.
+    Violation
+        What must hold of every comparison does not; the input is kept, the message says where.
     Cancelled
         From `progress`.
 
@@ -208,7 +223,7 @@ def compare(
             share_among_layers(t, grid.z * scale) if grid.faces is None else 0.0
             for t, grid in zip(triangulations, grids, strict=True)
         ]
-        united = scaled
+        united, exact_triangulations = scaled, triangulations
         if scale != 1.0:
             united = replace(scaled, nodes=scaled.nodes / scale)
             triangulations = (
@@ -216,6 +231,8 @@ def compare(
                 replace(triangulations[1], nodes=grids[1].nodes),
             )
         areas = triangle_areas(united.nodes, united.triangles)
+        with keeping((surface_1, surface_2), options, view, motion):
+            check_cover(scaled, *exact_triangulations, areas, threads)
         reason = reasons(state_1, state_2, areas)
         compared = reason == Reason.COMPARED
         if not compared.any():
@@ -259,8 +276,7 @@ def compare(
                 progress=lambda share: progress("exact measures", 0.9 + 0.1 * share),
             )
             measures = replace(measures, exact=exact_measures)
-    progress("done", 1.0)
-    return Comparison(
+    result = Comparison(
         (surface_1, surface_2),
         grids,
         triangulations,
@@ -284,3 +300,25 @@ def compare(
         (covered[0], covered[1]),
         (faces[0], faces[1]),
     )
+    with keeping((surface_1, surface_2), options, view, motion):
+        for found in filter(None, (measures, measures.exact)):
+            check_measures(found)
+        if verify:
+            progress("verify", 0.9)
+            check_united(scaled, *exact_triangulations)
+            check_values(result)
+            check_sums(result)
+            other = compare(
+                placed[1],
+                placed[0],
+                domain=domain,
+                max_edge=max_edge,
+                exact=exact,
+                tolerances=tolerances,
+                weight=weight,
+                duplicates=duplicates,
+                threads=threads,
+            )
+            check_exchange(measures, other.measures)
+    progress("done", 1.0)
+    return result

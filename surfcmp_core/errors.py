@@ -11,3 +11,7 @@ class InputError(SurfcmpError):
 
 class Cancelled(SurfcmpError):  # noqa: N818 - not a fault
     """The user asked to stop; raised from a progress callback."""
+
+
+class Violation(SurfcmpError):  # noqa: N818 - as in "a violation is an error"
+    """What must hold of every comparison does not: a fault of this program, not of the input."""

@@ -90,9 +90,9 @@ def _mesh(points: Nodes, name: str) -> Surface:
 def _asked(pair: tuple[Surface, Surface]) -> list[Callable[[], object]]:
     """All that is computed with two surfaces."""
     options: list[dict[str, Any]] = [
-        {"exact": True},
-        {"domain": "hull"},
-        {"domain": "plane", "weight": lambda x, y: np.hypot(x / 1e60, y / 1e60)},
+        {"exact": True, "verify": True},
+        {"domain": "hull", "verify": True},
+        {"domain": "plane", "verify": True, "weight": lambda x, y: np.hypot(x / 1e60, y / 1e60)},
     ]
     return [
         *(lambda o=o: compare(*pair, duplicates="mean", **o) for o in options),  # type: ignore[misc]

@@ -9,6 +9,7 @@ from surfcmp_core.grid import safe_scale
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, triangulate
 from surfcmp_core.united import United, unite
+from surfcmp_core.verification import check_united
 from tests.core import oracles
 from tests.pairs import Nodes, Pair
 
@@ -61,34 +62,6 @@ def same(a: Ints, b: Ints, what: str) -> None:
     )
 
 
-def check_half_edges(triangulation: Triangulation) -> None:
-    """Twins are mutual, triangles close, and the ghosts close the hull, once and clockwise."""
-    t = triangulation
-    start, twin, real = t.start, t.twin, t.real
-    h = np.arange(len(start))
-    onward = np.where(h % 3 == 2, h - 2, h + 1)
-    assert start.dtype == twin.dtype == np.int32
-    assert start.shape == twin.shape == (3 * (len(start) // 3),)
-    assert np.array_equal(twin[twin], h)
-    assert (twin // 3 != h // 3).all()
-    assert np.array_equal(start[twin], start[onward])
-    assert np.array_equal(np.unique(start[: 3 * real]), np.arange(len(t.nodes)))
-    assert np.array_equal(t.triangles, start[: 3 * real].reshape(-1, 3))
-    ghosts = start[3 * real :].reshape(-1, 3)
-    assert (ghosts[:, 2] == -1).all()
-    assert (ghosts[:, :2] >= 0).all()
-    assert (twin[3 * real :: 3] < 3 * real).all()
-    assert (twin[: 3 * real] % 3 == 0)[twin[: 3 * real] >= 3 * real].all()
-    assert real == 2 * len(t.nodes) - 2 - len(ghosts)
-    order = [real]  # from each ghost to that of the next hull edge counter-clockwise
-    while (following := int(twin[3 * order[-1] + 2]) // 3) != real:
-        assert following > real
-        order.append(following)
-    assert len(set(order)) == len(order) == len(ghosts)
-    around = ghosts[np.array(order) - real]
-    assert np.array_equal(around[:, 0], np.roll(around[:, 1], -1))
-
-
 def check_delaunay(triangulation: Triangulation, *, ties: int = 1000) -> None:
     """Triangles cover the convex hull and every edge is Delaunay, exactly.
 
@@ -111,19 +84,6 @@ def check_delaunay(triangulation: Triangulation, *, ties: int = 1000) -> None:
     rng = np.random.default_rng(0)
     for row in rng.permutation(np.flatnonzero(sides == 0))[:ties]:
         assert not oracles.in_disc(*((x[node[row]], y[node[row]]) for node in four))
-
-
-def check_nodes(merged: Merged) -> None:
-    """Every node is there once, under its label, at its place."""
-    united = merged.united
-    assert np.array_equal(united.nodes[united.node_1], merged.first.nodes)
-    assert np.array_equal(united.nodes[united.node_2], merged.second.nodes)
-    label = np.zeros(len(united.nodes), np.uint8)
-    label[united.node_1] |= 1
-    label[united.node_2] |= 2
-    assert np.array_equal(label, united.label)
-    order = np.lexsort((united.nodes[:, 1], united.nodes[:, 0]))
-    assert (united.nodes[order][1:] != united.nodes[order][:-1]).any(axis=1).all()
 
 
 def check_triangles(merged: Merged, whole: NDArray[np.int32]) -> None:
@@ -194,41 +154,6 @@ def _check_end(triangles: list[list[int]], label: list[int], t: int) -> None:
     assert any({label[a], label[b]} == {1, 2} and (b, a) not in directed for a, b in edges)
 
 
-def check_many_chains(united: United) -> None:
-    """Check the same for large triangulations, by connected components."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    inside = np.flatnonzero(united.chain >= 0)
-    assert np.array_equal(inside, np.arange(inside[0], len(united.chain)))
-    number = united.chain[inside]
-    assert np.array_equal(np.unique(number), np.arange(len(united.chain_closed)))
-    assert (np.diff(number) >= 0).all()
-    triangles = united.triangles[inside]
-    count = len(united.nodes)
-    a, b = triangles.ravel().astype(np.int64), triangles[:, [1, 2, 0]].ravel().astype(np.int64)
-    rows = np.repeat(np.arange(len(inside)), 3)
-    chosen = (united.label[a] | united.label[b]) == 3
-    chosen &= (united.label[a] != 3) & (united.label[b] != 3)
-    a, b, rows = a[chosen], b[chosen], rows[chosen]
-    order = np.argsort(a * count + b)
-    at = np.searchsorted((a * count + b)[order], b * count + a)
-    at = order[np.minimum(at, len(order) - 1)]
-    has_twin = (a[at] == b) & (b[at] == a)
-    one, other = rows[has_twin], rows[at[has_twin]]
-    links = coo_array((np.ones(len(one), np.int8), (one, other)), shape=(len(inside),) * 2)
-    parts, part = connected_components(links, directed=False)
-    assert parts == len(united.chain_closed)
-    assert len(np.unique(part.astype(np.int64) * parts + number)) == parts
-    degree = np.bincount(one, minlength=len(inside))
-    lowest = np.full(parts, 2)
-    np.minimum.at(lowest, number, degree)
-    assert np.array_equal(united.chain_closed, lowest == 2)
-    onward = np.zeros(len(inside), bool)
-    onward[one[other == one + 1]] = True
-    assert onward[np.flatnonzero(np.diff(number) == 0)].all()
-
-
 def check_trees(merged: Merged) -> None:
     united = merged.united
     for tree, triangulation, node in (
@@ -279,7 +204,7 @@ def fingerprint(united: United) -> Fingerprint:
 def check_pair(pair: Pair) -> Merged:
     """Check all that must hold of the merge of one pair."""
     merged = merge(pair.first, pair.second)
-    check_nodes(merged)
+    check_united(merged.united, merged.first, merged.second)
     check_triangles(merged, triangulate(merged.united.nodes).triangles)
     check_chains(merged)
     check_trees(merged)

@@ -23,11 +23,12 @@ from surfcmp_core.cli.options import (
     ThreadsOption,
     ToleranceOption,
     UnitOption,
+    VerifyOption,
     WeightOption,
 )
 from surfcmp_core.cli.pair import Settings, compare_surfaces, read
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
-from surfcmp_core.errors import InputError
+from surfcmp_core.errors import InputError, Violation
 from surfcmp_core.names import one_line
 from surfcmp_core.progress import Progress
 from surfcmp_core.report import OutputError, check_outputs
@@ -68,6 +69,7 @@ def command(
     out: OutOption = None,
     quiet: QuietOption = False,
     threads: ThreadsOption = 2,
+    verify: VerifyOption = False,
 ) -> None:
     """Compare every file with every later one; a pair that fails does not stop the others."""
     settings = Settings(
@@ -82,6 +84,7 @@ def command(
         align=align,
         project=project,
         threads=threads,
+        verify=verify,
     )
     settings.check()
     results = out or []
@@ -158,7 +161,7 @@ def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> lis
             both = surface_of(first), surface_of(second)
             seconds = time.perf_counter() - start
             done.append(compare_surfaces(both, settings, within, seconds)[1])
-        except (InputError, MemoryError) as fault:
+        except (InputError, Violation, MemoryError) as fault:
             error = str(fault) or f"{first} and {second}: not enough memory"
             if error not in told:
                 complain(error)

@@ -21,6 +21,7 @@ from surfcmp_core.cli.options import (
     ThreadsOption,
     ToleranceOption,
     UnitOption,
+    VerifyOption,
     WeightOption,
 )
 from surfcmp_core.cli.pair import Settings, compare_files
@@ -57,6 +58,7 @@ def command(
     json: JsonOption = False,
     quiet: QuietOption = False,
     threads: ThreadsOption = 2,
+    verify: VerifyOption = False,
 ) -> None:
     """Compare two surfaces and print the measures."""
     settings = Settings(
@@ -71,6 +73,7 @@ def command(
         align=align,
         project=project,
         threads=threads,
+        verify=verify,
     )
     settings.check()
     results = out or []

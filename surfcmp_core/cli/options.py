@@ -80,3 +80,9 @@ JsonOption = Annotated[
     bool,
     typer.Option("--json", help="Print the .json document, and nothing else."),
 ]
+VerifyOption = Annotated[
+    bool,
+    typer.Option(
+        "--verify", help="Check all that must hold of the result, slowly, also the other way round."
+    ),
+]

@@ -41,6 +41,7 @@ class Settings:
     project: str
     threads: int
     no_data: tuple[float, ...] = ()
+    verify: bool = False
 
     def check(self) -> None:
         """Refuse what no input could make right.
@@ -143,6 +144,7 @@ def compare_surfaces(
             weight=weight,
             duplicates=settings.duplicates,
             threads=settings.threads,
+            verify=settings.verify,
             align=None if placement else motion,
             progress=progress,
             read_seconds=read_seconds,

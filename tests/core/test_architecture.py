@@ -30,7 +30,7 @@ ORDER = (
     {"domain"},
     {"measures"},
     {"comparison"},
-    {"cautions", "side", "stages", "warming"},
+    {"cautions", "side", "stages", "warming", "verification"},
     {"compare", "report"},
     {"cli"},
 )

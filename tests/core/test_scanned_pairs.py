@@ -12,12 +12,10 @@ from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from surfcmp_core import Comparison, Surface, compare
 from surfcmp_core.triangulation import triangulate
+from surfcmp_core.verification import check_chains, check_half_edges, check_nodes
 from tests.invariants import (
     Merged,
     check_delaunay,
-    check_half_edges,
-    check_many_chains,
-    check_nodes,
     check_triangles,
 )
 from tests.scans import MADE_PAIRS
@@ -97,9 +95,9 @@ def test_grids_are_triangulated(scanned: ScannedPair) -> None:
 def test_grids_are_merged(scanned: ScannedPair) -> None:
     united = scanned.comparison.united
     merged = Merged(united, *scanned.comparison.triangulations)
-    check_nodes(merged)
+    check_nodes(merged.united, merged.first, merged.second)
     check_triangles(merged, triangulate(united.nodes).triangles)
-    check_many_chains(united)
+    check_chains(united)
 
 
 def test_areas_add_up(scanned: ScannedPair) -> None:

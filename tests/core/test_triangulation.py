@@ -13,10 +13,11 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.grid import grid_of, safe_scale
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation, is_flat, triangulate
+from surfcmp_core.verification import check_half_edges
 from tests import pairs
 from tests.core import oracles
 from tests.core.node_sets import node_sets
-from tests.invariants import check_delaunay, check_half_edges, codes, ranks, same
+from tests.invariants import check_delaunay, codes, ranks, same
 from tests.pairs import FAMILIES, Nodes, distinct, pair_of
 
 Triangles = NDArray[np.int32]
