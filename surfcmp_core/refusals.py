@@ -16,6 +16,8 @@ LARGEST_IN_SPACE = 2.0**250
 """Up to here those of surfaces that are turned or fitted: they need squares of areas."""
 SMALLEST = 2.0**-500
 """Coordinates all below this give areas and volumes that lose digits or are told as 0."""
+_MOST_OF_VOLUMES = 1001
+"""Up to this power of two they are told, with some room for sums."""
 _RIGID = 1e-6
 """How far a rotation's own product with itself may be from the identity: rounded decimals."""
 
@@ -86,7 +88,7 @@ def refuse_pair(first: Surface, second: Surface) -> None:
         raise InputError(
             f"{names}: coordinates x, y up to {largest:.3g} are too small to give areas"
         )
-    if np.log2(np.maximum(high - low, SMALLEST)).sum() > 2 * np.log2(LARGEST):
+    if np.frexp(np.maximum(high - low, SMALLEST))[1].sum() > _MOST_OF_VOLUMES:
         extents = " by ".join(map("{:.3g}".format, high - low))
         raise InputError(f"{names}: extents of {extents} are too large to give volumes")
 

@@ -98,7 +98,7 @@ def measure_exactly(
     )
     # products of areas: in units of the whole extent they neither over- nor underflow
     extent = power_of_two_above(float(np.ptp(united.nodes, axis=0).max()))
-    area_unit = (extent * length) ** 2
+    area_unit = (extent * length) * (extent * length)
     count = len(united.triangles)
     values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
 

@@ -57,7 +57,7 @@ def check_sums(comparison: Comparison) -> None:
     triangles = united.triangles[compared]
     corners = united.nodes[triangles]
     # in units that keep products of a hundred magnitudes from over- and underflow
-    size = 2.0 ** np.ceil(np.log2(np.ptp(corners, axis=(0, 1)).max()))
+    size = 2.0 ** float(np.frexp(np.ptp(corners, axis=(0, 1)).max())[1])
     area, off = _areas(corners / size)
     d = np.sort((comparison.z1 - comparison.z2)[triangles], axis=1)
     high = float(np.abs(d).max()) or 1.0

@@ -1,11 +1,11 @@
 """Ctrl-C ends the program soon and leaves nothing, even where something does not unwind."""
 
-import os
 import signal
 import subprocess
 import sys
 from pathlib import Path
 
+import psutil
 import pytest
 
 PROJECT = Path(__file__).parents[2]
@@ -54,6 +54,17 @@ sys.exit(main(sys.argv[2:]))
 """
 
 
+def _ended(number: int) -> bool:
+    """Whether a process ends at once; who takes note of an orphan's end may take a while."""
+    try:
+        process = psutil.Process(number)
+        return process.status() == psutil.STATUS_ZOMBIE or process.wait(5.0) is None
+    except psutil.NoSuchProcess:
+        return True
+    except psutil.TimeoutExpired:
+        return False
+
+
 @pytest.mark.parametrize(
     "kind", ["gentle", "kernel", "child", "stubborn", "stubborn, twice", "ignored"]
 )
@@ -81,8 +92,7 @@ def test_interruption_ends_soon_and_leaves_nothing(tmp_path: Path, kind: str) ->
         if kind.endswith("twice"):
             running.send_signal(signal.SIGTERM)
         said = running.communicate(timeout=30)
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(number), 0)  # neither the program nor its child
+    assert _ended(int(number))  # the program, or its child
     if kind == "ignored":
         assert running.returncode == 0
         assert (tmp_path / "r.npz").read_bytes() == b"half"
