@@ -14,8 +14,9 @@ from surfcmp_core import InputError, Surface, compare
 from surfcmp_core.domain import own_faces
 from surfcmp_core.localisation import locate_from, relocate
 from surfcmp_core.triangulation import Triangulation, triangulate
+from surfcmp_core.verification import check_half_edges
 from tests.core.test_measures_overlay import area_of, cut, exact, keep_left, linear, product_over
-from tests.invariants import check_half_edges
+
 
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]
