@@ -17,7 +17,6 @@ from surfcmp_core.triangulation import Triangulation, triangulate
 from surfcmp_core.verification import check_half_edges
 from tests.core.test_measures_overlay import area_of, cut, exact, keep_left, linear, product_over
 
-
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]
 COARSE = Path(__file__).parent / "fixtures" / "attack" / "coverage_above_1.npz"
