@@ -237,7 +237,9 @@ def test_large_surfaces_are_sketched_before_they_are_drawn(
     window.opening.begin(list(files))
     qtbot.waitUntil(lambda: bool(pictures) and pictures[-1].final, timeout=PATIENCE)
     assert all(patch.coarse for patch in window.display.content.geometry.patches)
-    pictures.clear()
+    while pictures:  # until panels that filled have their place, and views their last size
+        pictures.clear()
+        qtbot.wait(400)
     window.display.change(scale=replace(window.display.state.scale, limit=0.7))
     qtbot.waitUntil(lambda: bool(pictures) and pictures[-1].final, timeout=PATIENCE)
     assert [list(found.images) for found in pictures[:2]] == [[3], [3]]  # no other view changed
