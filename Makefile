@@ -13,8 +13,8 @@ help: ## say what there is
 run: setup-run ## open the window on the built-in pair (no display: picture and numbers in out/)
 	@.make/run
 
-test: ## run all tests
-	@$(MAKE) --no-print-directory --keep-going test-core test-window
+test: ## run all tests, those of the core beside those of the window
+	@$(MAKE) --no-print-directory --keep-going --jobs 2 test-core test-window
 
 test-core: setup-test ## run the tests that need no screen
 	$(python) -m pytest tests/core tests/app

@@ -155,9 +155,19 @@ def totals_of(parts: Sequence[Part]) -> list[float]:
     return [math.fsum(row) for row in terms.tolist()]
 
 
+_ROUNDING = 2.0**-40
+"""Of two sums over the same area, cut into other pieces."""
+
+
 def share_of(part: float, whole: float) -> float:
-    """Divide two areas; no part of nothing is covered."""
-    return part / whole if whole else 0.0
+    """Divide two areas; no part of nothing is covered.
+
+    Where both are the same but for the rounding of their sums, that is 1.
+    """
+    if not whole:
+        return 0.0
+    share = part / whole
+    return 1.0 if 1.0 < share <= 1.0 + _ROUNDING else share
 
 
 def measures_from(
