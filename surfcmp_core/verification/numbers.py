@@ -55,6 +55,8 @@ def check_measures(measures: Measures) -> None:
             hold(math.isfinite(value) or empty, f"{name} is {value}")
     hold(_at_most(m.area_interface, m.area_compared), "the interface is larger than the whole")
     hold(_at_most(m.rho_delta_V, m.rho_V), "rho_delta_V is above rho_V")
+    for name in ("coverage_1", "coverage_2"):
+        hold(0.0 <= getattr(m, name) <= 1.0, f"{name} is {getattr(m, name)}, no share")
     if m.area_compared == 0.0:
         return
     for low, high in pairwise(("mean_abs", "rms", "max_abs")):

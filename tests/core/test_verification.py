@@ -280,6 +280,7 @@ def test_wrong_sums_show(name: str, result: Comparison, exchanged: Comparison) -
     [
         ({"rho_V": np.nan}, "rho_V is nan"),
         ({"coverage_1": np.inf}, "coverage_1 is inf"),
+        ({"coverage_2": 1.01}, "coverage_2 is 1.01"),
         ({"mean_abs_interface": np.nan}, "mean_abs_interface is nan"),
         ({"rms": 0.0}, "mean_abs is above rms"),
         ({"max_abs": 0.0}, "rms is above max_abs"),
