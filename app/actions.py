@@ -9,12 +9,12 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from app import settings
+from app.look.texts import QT_TRANSLATE_NOOP
 from app.model.history import Change
 from app.model.tool import Tool
+from app.panels.command_palette import CommandPalette
 from app.panels.help import HelpDialog, HelpPages
-from app.panels.palette import CommandPalette
 from app.scene.scene import VIEWS
-from app.texts import QT_TRANSLATE_NOOP
 
 if TYPE_CHECKING:
     from app.window import MainWindow

@@ -9,8 +9,8 @@ from tempfile import TemporaryDirectory
 from PySide6.QtCore import QSettings, QSize, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.jobs.kept import Kept
-from app.views.studio import Pictures
+from app.drawing.studio import Pictures
+from app.jobs.window_folder import Kept
 from app.window import MainWindow
 
 SECONDS = 120

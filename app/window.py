@@ -21,34 +21,34 @@ from PySide6.QtWidgets import (
 from app import settings
 from app.actions import Actions
 from app.controllers.display import Display
-from app.panels.alignment import AlignmentPanel
+from app.look.theme import UNIT, qt_palette, style_sheet, theme
+from app.panels.alignment_panel import AlignmentPanel
 from app.panels.banner import Banner
-from app.panels.chains import ChainsPanel
+from app.panels.chains_panel import ChainsPanel
 from app.panels.dialogs import Dialogs
 from app.panels.dock import Dock, Docks
 from app.panels.empty import EmptyState
-from app.panels.measures import MeasuresPanel
-from app.panels.options import OptionsPanel
-from app.panels.probes import ProbesPanel
-from app.panels.progress import ProgressStrip
-from app.panels.regions import RegionsPanel
-from app.panels.scale import ScalePanel
-from app.panels.section import SectionPanel
+from app.panels.measures_panel import MeasuresPanel
+from app.panels.options_panel import OptionsPanel
+from app.panels.probes_panel import ProbesPanel
+from app.panels.progress_line import ProgressStrip
+from app.panels.regions_panel import RegionsPanel
+from app.panels.scale_panel import ScalePanel
+from app.panels.section_panel import SectionPanel
 from app.panels.toolbar import Toolbar
-from app.theme import UNIT, qt_palette, style_sheet, theme
-from app.views.grid import ViewGrid
+from app.views.four_views import ViewGrid
 from surfcmp_core.system.children import end_children
 
 if TYPE_CHECKING:
-    from app.controllers.alignment import Alignment
-    from app.controllers.chains import Chains
+    from app.controllers.aligning import Alignment
+    from app.controllers.chain_choice import Chains
+    from app.controllers.colour_range import Scaling
     from app.controllers.exporting import Exporting
+    from app.controllers.marking import Regions
     from app.controllers.opening import Opening
-    from app.controllers.places import Places
-    from app.controllers.regions import Regions
-    from app.controllers.scaling import Scaling
+    from app.controllers.probing import Places
+    from app.controllers.saving import Sessions
     from app.controllers.session import Session
-    from app.controllers.sessions import Sessions
     from app.jobs.runner import Runner
 
 CLOSING_SECONDS = 0.3
@@ -135,18 +135,18 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Load the core and tie it to the window, which is on the screen by then."""
-        from app.controllers.alignment import Alignment
+        from app.controllers.aligning import Alignment
         from app.controllers.captions import Captions
-        from app.controllers.chains import Chains
+        from app.controllers.chain_choice import Chains
+        from app.controllers.colour_range import Scaling
         from app.controllers.exporting import Exporting
         from app.controllers.front import Front
+        from app.controllers.marking import Regions
         from app.controllers.opening import Opening
-        from app.controllers.places import Places
-        from app.controllers.regions import Regions
-        from app.controllers.scaling import Scaling
-        from app.controllers.section import Section
+        from app.controllers.probing import Places
+        from app.controllers.saving import Sessions
+        from app.controllers.sectioning import Section
         from app.controllers.session import Session
-        from app.controllers.sessions import Sessions
         from app.controllers.work import Work
 
         gc.disable()

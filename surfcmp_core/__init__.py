@@ -5,13 +5,11 @@
 >>> result.measures.mean_abs  # doctest: +SKIP
 """
 
-import sys
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from surfcmp_core.compare import compare
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
+    from surfcmp_core.comparing.pipeline import compare
     from surfcmp_core.errors import InputError
     from surfcmp_core.io import read_surface
     from surfcmp_core.surface import Surface
@@ -21,10 +19,10 @@ if TYPE_CHECKING:
 __all__ = ["Comparison", "InputError", "Surface", "__version__", "compare", "read_surface"]
 
 _HOMES = {
-    "Comparison": "surfcmp_core.comparison",
+    "Comparison": "surfcmp_core.comparing.comparison",
     "InputError": "surfcmp_core.errors",
     "Surface": "surfcmp_core.surface",
-    "compare": "surfcmp_core.compare",
+    "compare": "surfcmp_core.comparing.pipeline",
     "read_surface": "surfcmp_core.io",
 }
 
@@ -45,18 +43,3 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """Name also what has not been asked for yet."""
     return sorted({*globals(), *__all__})
-
-
-class _Package(ModuleType):
-    """The package itself, whose `compare` stays the function.
-
-    Importing the module of that name would else put the module in the function's place.
-    """
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name == "compare" and isinstance(value, ModuleType):
-            value = value.compare
-        super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
 from surfcmp_core import read_surface
-from surfcmp_core.samples import sample_pair
+from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.surface import Surface
 
 Faces = NDArray[np.int32]

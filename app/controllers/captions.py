@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject
 
 from app.controllers.display import Display
+from app.look.numerals import thousands
 from app.model.view_state import Heatmap, ViewState
-from app.numbers import thousands
 from app.panels.toolbar import heatmap_name
 from app.scene.furniture import colour_bar, legend
-from app.views.frame import ViewFrame
+from app.views.titled_view import ViewFrame
 
 
 class Captions(QObject):

@@ -10,9 +10,11 @@ from PySide6.QtCore import QEasingCurve, QObject, Qt, QTimer, QVariantAnimation,
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QStyle
 
+from app.drawing.studio import Pictures, Print, Studio, Wish
+from app.look.numerals import short
+from app.look.theme import theme
 from app.model.tool import Tool
 from app.model.view_state import Place, Scale, ViewState
-from app.numbers import short
 from app.scene.camera import Camera, between, home, showing
 from app.scene.content import Content
 from app.scene.pick import (
@@ -23,10 +25,8 @@ from app.scene.pick import (
     point_in_view,
     reading_at,
 )
-from app.theme import theme
 from app.views.canvas import Label
-from app.views.grid import ViewGrid
-from app.views.studio import Pictures, Print, Studio, Wish
+from app.views.four_views import ViewGrid
 
 ARROWS = {
     int(Qt.Key.Key_Left): (-1, 0),

@@ -12,10 +12,10 @@ from app.controllers.asking import Asking, Telling
 from app.controllers.captions import Captions
 from app.controllers.display import Display
 from app.controllers.session import Session
-from app.jobs.exporting import Picture, export
 from app.jobs.runner import Runner
-from app.theme import theme
-from app.views.grid import ViewGrid
+from app.jobs.writing import Picture, export
+from app.look.theme import theme
+from app.views.four_views import ViewGrid
 
 REPORTS = (".html", ".pdf")
 REPORT_DENSITY = 2

@@ -8,8 +8,8 @@ from app.controllers.asking import Telling
 from app.controllers.display import Display
 from app.controllers.session import Session
 from app.jobs.comparing import Compared
-from app.numbers import thousands
-from app.panels.measures import MeasuresPanel
+from app.look.numerals import thousands
+from app.panels.measures_panel import MeasuresPanel
 from app.panels.toolbar import Toolbar
 
 

@@ -10,7 +10,7 @@ from app import settings
 from app.controllers.asking import Asking, Telling
 from app.controllers.session import Session
 from app.jobs.comparing import Compared
-from app.model.session_file import ENDING
+from app.model.session_text import ENDING
 
 ENDINGS = ".ply .obj .stl .off .vtp .vtk .xyz .txt .csv .npy .npz .las .laz"
 """Of surfaces that can be read."""
@@ -60,7 +60,7 @@ class Opening(QObject):
 
     def open_sample(self) -> None:
         """Open the built-in pair."""
-        from surfcmp_core.samples import sample_pair
+        from surfcmp_core.io.samples import sample_pair
 
         try:
             self._session.open(sample_pair("face"))

@@ -16,7 +16,7 @@ from app.model.history import History, Step
 from app.model.view_state import KEPT, Scale, ViewState
 from app.scene.camera import Camera
 from app.scene.distribution import fitting_limit
-from surfcmp_core.report.document import unit_of
+from surfcmp_core.report.record import unit_of
 
 MERGED_SECONDS = 0.6
 """Changes of the scale that follow each other so fast are one drag, and one step."""

@@ -6,8 +6,8 @@ from app.controllers.asking import Telling
 from app.controllers.opening import Opening
 from app.controllers.session import Session
 from app.panels.empty import EmptyState
-from app.panels.options import OptionsPanel
-from app.panels.progress import ProgressStrip
+from app.panels.options_panel import OptionsPanel
+from app.panels.progress_line import ProgressStrip
 from app.panels.toolbar import Toolbar
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from app.jobs.regions import (
+from app.jobs.region_measures import (
     RegionMeasures,
     measured_regions,
     region_of,
@@ -19,9 +19,9 @@ from app.jobs.regions import (
 from app.model.document import NOT_MOVED, Document
 from app.scene.content import Content, content_of
 from app.scene.lines import borders_of
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.progress import Progress
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.surface import Surface
+from surfcmp_core.system.progress import Progress
 
 _ASKED = ("weight", "align", "project", "view", "reversed")
 """Options that the comparison itself does not know."""

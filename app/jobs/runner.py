@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.jobs.priority import COMPUTING, give_way
 from surfcmp_core.errors import Cancelled, SurfcmpError
-from surfcmp_core.progress import Progress
+from surfcmp_core.system.progress import Progress
 
 
 class Runner(QObject):

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.model.region import Region
 from surfcmp_core.alignment import record_of_motion
-from surfcmp_core.comparison import Options
+from surfcmp_core.comparing.comparison import Options
 
 Matrix = tuple[tuple[float, float, float, float], ...]
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from app.model.pair import Pair
+from app.model.landmark import Pair
 
 
 class Heatmap(StrEnum):

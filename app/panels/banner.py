@@ -5,8 +5,8 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
 
+from app.look.theme import UNIT
 from app.panels.widgets import tool_button
-from app.theme import UNIT
 
 
 class Banner(QFrame):

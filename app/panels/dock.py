@@ -5,7 +5,7 @@ from typing import override
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
 
-from app.theme import UNIT
+from app.look.theme import UNIT
 
 
 class Shaft(QScrollArea):

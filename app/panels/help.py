@@ -8,8 +8,8 @@ from PySide6.QtCore import QBuffer, QIODevice, Qt
 from PySide6.QtGui import QAction, QIcon, QImage
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
-from app.panels.palette import plain
-from app.theme import UNIT
+from app.look.theme import UNIT
+from app.panels.command_palette import plain
 
 PICTURE_WIDTH = 420
 

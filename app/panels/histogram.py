@@ -8,10 +8,10 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen
 
+from app.look.theme import theme
 from app.model.view_state import Heatmap, ViewState
 from app.panels.plot import Plot
 from app.scene.colour_maps import banded, continuous, map_of
-from app.theme import theme
 
 if TYPE_CHECKING:
     from app.scene.content import Content

@@ -1,6 +1,6 @@
 """Plain names of the measures; their meaning stands in the core's report."""
 
-from app.texts import QT_TRANSLATE_NOOP
+from app.look.texts import QT_TRANSLATE_NOOP
 
 NAMES = {
     "mean_abs": QT_TRANSLATE_NOOP("MeasuresPanel", "Mean |d|"),

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.numbers import short
-from app.scene.scale import ticks
-from app.theme import LIGHT, UNIT, Theme, tabular
+from app.look.numerals import short
+from app.look.theme import LIGHT, UNIT, Theme, tabular
+from app.scene.ticks import ticks
 
 
 class Plot(QWidget):

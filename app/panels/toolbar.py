@@ -12,12 +12,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.icons import dot, icon
+from app.look.icons import dot, icon
+from app.look.texts import QT_TRANSLATE_NOOP
+from app.look.theme import theme
 from app.model.view_state import Heatmap, ViewState
 from app.panels.widgets import ChoiceButton, tool_button
-from app.scene.palette import palette
-from app.texts import QT_TRANSLATE_NOOP
-from app.theme import theme
+from app.scene.quiet_colours import palette
 
 HEATMAPS = {
     Heatmap.SIGNED: QT_TRANSLATE_NOOP("Toolbar", "Signed difference"),

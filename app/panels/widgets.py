@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.numbers import short
-from app.theme import UNIT, tabular
+from app.look.numerals import short
+from app.look.theme import UNIT, tabular
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 

@@ -13,7 +13,7 @@ from app.scene.colour_maps import Colours
 from app.scene.geometry import Geometry
 
 if TYPE_CHECKING:
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 Floats = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ from app.scene.geometry import Geometry, geometry_of
 from app.scene.lines import borders_of
 
 if TYPE_CHECKING:
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +43,7 @@ def content_of(
 
     `region` gives each triangle's region (-1: none), `colours` those of the regions.
     """
-    from surfcmp_core.stages import at_once
+    from surfcmp_core.comparing.clock import at_once
 
     borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
     if region is not None:

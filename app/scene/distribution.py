@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scene.scale import round_up
+from app.scene.ticks import round_up
 
 if TYPE_CHECKING:
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 Floats = NDArray[np.float64]
 

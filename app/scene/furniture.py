@@ -18,13 +18,13 @@ from app.scene.colour_maps import (
     band_edges,
     map_of,
 )
-from app.scene.palette import palette
-from app.scene.scale import ticks
+from app.scene.quiet_colours import palette
 from app.scene.scene import TRUST_COLOURS, height_range
+from app.scene.ticks import ticks
 from app.scene.values import Trust
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.scene.coarse import Coarse, coarse_of
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
     from surfcmp_core.triangulation import Triangulation
 
 
@@ -96,7 +96,7 @@ def geometry_of(comparison: Comparison) -> Geometry:
 
 def data_of(comparison: Comparison, which: int) -> NDArray[np.bool_] | None:
     """Return (m,) where T1 (`which` = 0) or T2 has data, as far as its own triangles tell."""
-    from surfcmp_core.side import triangles_with_data
+    from surfcmp_core.comparing.side import triangles_with_data
 
     data = triangles_with_data(comparison, which)
     return None if data.all() else data

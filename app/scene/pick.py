@@ -16,7 +16,7 @@ from app.scene.geometry import RUN, Geometry, Patch
 
 if TYPE_CHECKING:
     from app.scene.content import Content
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 
 SIDEWAYS = 0.2

@@ -15,14 +15,14 @@ from app.scene.coarse import Coarse
 from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Patch
 from app.scene.lines import Segments, lines_of
-from app.scene.palette import Palette, palette
 from app.scene.pick import shadows
-from app.scene.section import profile_of
+from app.scene.profile import profile_of
+from app.scene.quiet_colours import Palette, palette
 from app.scene.values import Trust, values_of
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from app.scene.content import Content
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 VIEWS = 4
 """Surface 1, surface 2, T with its chains, the heatmap."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.model.view_state import Heatmap
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
-    from surfcmp_core.comparison import Comparison
+    from surfcmp_core.comparing.comparison import Comparison
 
 
 class Trust(IntEnum):

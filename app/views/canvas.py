@@ -19,8 +19,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.look.theme import LIGHT, UNIT, Theme
 from app.model.tool import Tool
-from app.theme import LIGHT, UNIT, Theme
 
 CLICK_PIXELS = 4
 """A press that moved less is a click."""

@@ -7,12 +7,12 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from app.numbers import short, thousands
+from app.look.numerals import short, thousands
+from app.look.texts import QT_TRANSLATE_NOOP
+from app.look.theme import UNIT, Theme, tabular
 from app.scene.colour_maps import Rgb
 from app.scene.furniture import ColourBar, Swatch
-from app.scene.scale import round_down
-from app.texts import QT_TRANSLATE_NOOP
-from app.theme import UNIT, Theme, tabular
+from app.scene.ticks import round_down
 
 BAR_WIDTH = 14.0
 

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.alignment.free_motions import free_motions
-from surfcmp_core.alignment.side import Side
-from surfcmp_core.linear_algebra import dots, length, turned
+from surfcmp_core.alignment.prepared import Side
+from surfcmp_core.compiled.linear_algebra import dots, length, turned
 
 _LOOKED_AT = 5_000
 """Nodes of each surface that are looked at."""

@@ -7,18 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.alignment.account import account_of
-from surfcmp_core.alignment.alignment import Alignment, Method
 from surfcmp_core.alignment.closest_points import Found, closest_points
 from surfcmp_core.alignment.doubts import UNSURE, doubts_of
+from surfcmp_core.alignment.fit import Alignment, Method
 from surfcmp_core.alignment.other_poses import better_pose
-from surfcmp_core.alignment.side import Side, side_of, used_of
+from surfcmp_core.alignment.prepared import Side, side_of, used_of
+from surfcmp_core.compiled.linear_algebra import composed, dots, inverse
 from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import composed, dots, inverse
-from surfcmp_core.progress import Progress, silent
 from surfcmp_core.projection.frame import moved
-from surfcmp_core.refusals import LARGEST_IN_SPACE, motion_of, refuse_surface
 from surfcmp_core.surface import Surface
-from surfcmp_core.together import check_together
+from surfcmp_core.surface.refusals import LARGEST_IN_SPACE, motion_of, refuse_surface
+from surfcmp_core.surface.together import check_together
+from surfcmp_core.system.progress import Progress, silent
 
 _BESIDE_FIRST = 1.0
 _BESIDE = 2.0

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.alignment.side import FEWEST, Side
-from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import (
+from surfcmp_core.alignment.prepared import FEWEST, Side
+from surfcmp_core.compiled.linear_algebra import (
     applied,
     composed,
     dot,
@@ -20,6 +19,7 @@ from surfcmp_core.linear_algebra import (
     rotation,
     weighed_sum,
 )
+from surfcmp_core.errors import InputError
 
 _FAR = 3.0
 """Nodes farther off than this many standard deviations (by the median) do not count, and those

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.linear_algebra import dots, eigen
+from surfcmp_core.compiled.linear_algebra import dots, eigen
 
 _FREE = 1e-4
 """A motion of which less than this share (squared) leads along the normals is free."""

@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from surfcmp_core.alignment.account import angle_of
-from surfcmp_core.alignment.alignment import Alignment
-from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import (
+from surfcmp_core.alignment.fit import Alignment
+from surfcmp_core.compiled.linear_algebra import (
     dots,
     eigen,
     length,
@@ -18,6 +17,7 @@ from surfcmp_core.linear_algebra import (
     turned,
     weighed_sum,
 )
+from surfcmp_core.errors import InputError
 
 _THIN = 0.01
 """Landmarks whose second spread is below this share of the first leave the turn about it open."""

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from surfcmp_core.alignment.account import agreement_of
 from surfcmp_core.alignment.closest_points import closest_points
-from surfcmp_core.alignment.side import Side
+from surfcmp_core.alignment.prepared import Side
+from surfcmp_core.compiled.linear_algebra import applied, composed, eigen, moments
 from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import applied, composed, eigen, moments
-from surfcmp_core.progress import silent
+from surfcmp_core.system.progress import silent
 
 _MOVING = 500
 """Nodes that are enough to tell poses from each other."""

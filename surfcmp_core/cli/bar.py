@@ -4,7 +4,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from surfcmp_core.progress import Progress, silent
+from surfcmp_core.system.progress import Progress, silent
 
 
 @contextmanager

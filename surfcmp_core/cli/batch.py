@@ -11,7 +11,8 @@ import typer
 
 from surfcmp_core.cli.bar import progress_bar
 from surfcmp_core.cli.ends import WrongUsage, ending
-from surfcmp_core.cli.options import (
+from surfcmp_core.cli.pair import Settings, compare_surfaces, read
+from surfcmp_core.cli.shared_options import (
     AlignOption,
     DomainOption,
     DuplicatesOption,
@@ -26,16 +27,15 @@ from surfcmp_core.cli.options import (
     VerifyOption,
     WeightOption,
 )
-from surfcmp_core.cli.pair import Settings, compare_surfaces, read
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
 from surfcmp_core.errors import InputError, Violation
 from surfcmp_core.names import one_line
-from surfcmp_core.progress import Progress
 from surfcmp_core.report import OutputError, check_outputs
-from surfcmp_core.report.document import Document, now, program
 from surfcmp_core.report.meanings import MEANINGS
 from surfcmp_core.report.numbers import with_unit
+from surfcmp_core.report.record import Document, now, program
 from surfcmp_core.surface import Surface
+from surfcmp_core.system.progress import Progress
 from surfcmp_core.system.whole_files import write_all
 
 Paths = Annotated[

@@ -8,7 +8,8 @@ import typer
 
 from surfcmp_core.cli.bar import progress_bar
 from surfcmp_core.cli.ends import WrongUsage, ending
-from surfcmp_core.cli.options import (
+from surfcmp_core.cli.pair import Settings, compare_files
+from surfcmp_core.cli.shared_options import (
     AlignOption,
     DomainOption,
     DuplicatesOption,
@@ -24,7 +25,6 @@ from surfcmp_core.cli.options import (
     VerifyOption,
     WeightOption,
 )
-from surfcmp_core.cli.pair import Settings, compare_files
 from surfcmp_core.report import OutputError, check_outputs, write_outputs
 from surfcmp_core.report.data_files import json_bytes
 

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from surfcmp_core.cli.ends import ending
-from surfcmp_core.cli.options import NoDataOption, UnitOption
+from surfcmp_core.cli.shared_options import NoDataOption, UnitOption
 from surfcmp_core.io import Facts
 from surfcmp_core.report.numbers import figure, thousands
 

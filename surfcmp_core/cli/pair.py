@@ -10,20 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.cli.ends import WrongUsage
-from surfcmp_core.comparison import Comparison, Domain
+from surfcmp_core.comparing.comparison import Comparison, Domain
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates
-from surfcmp_core.progress import Progress
 from surfcmp_core.report import make_document
-from surfcmp_core.report.document import Document
+from surfcmp_core.report.record import Document
 from surfcmp_core.surface import Surface
+from surfcmp_core.surface.together import bring_together, carried
+from surfcmp_core.surface.used import used_part
 from surfcmp_core.system.memory import check_comparison
-from surfcmp_core.together import bring_together, carried
-from surfcmp_core.used import used_part
+from surfcmp_core.system.progress import Progress
 
 if TYPE_CHECKING:
     from surfcmp_core.alignment import Record
-    from surfcmp_core.placement import View
+    from surfcmp_core.projection.placement import View
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +106,8 @@ def compare_surfaces(
     InputError
         One line that names a file and the fault.
     """
-    from surfcmp_core.cli.weight import read_weight
-    from surfcmp_core.compare import compare
+    from surfcmp_core.comparing.pipeline import compare
+    from surfcmp_core.comparing.weight import read_weight
 
     check_comparison(*surfaces, settings.exact)  # before they are moved and projected
     together = bring_together(used_part(surfaces[0]), used_part(surfaces[1]))
@@ -122,7 +122,7 @@ def compare_surfaces(
     }
     placement = None
     if settings.project != "z":
-        from surfcmp_core.placement import place
+        from surfcmp_core.projection.placement import place
 
         view: View = "auto"
         if settings.project != "auto":
@@ -191,7 +191,7 @@ def _alignment(
     if align == "icp":
         found = best_fit(*surfaces, progress=progress)
         return found.matrix, found.record()
-    from surfcmp_core.cli.motion import read_motion
+    from surfcmp_core.io.motion import read_motion
 
     matrix = read_motion(Path(align))
     told = record_of_motion("file", matrix)

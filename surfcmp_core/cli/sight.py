@@ -9,7 +9,7 @@ Rows = list[tuple[str, str]]
 
 def sight_rows(surface: Surface) -> Rows:
     """Return what `--project auto` would keep of one surface, and what not for which reason."""
-    from surfcmp_core.placement import look_at
+    from surfcmp_core.projection.placement import look_at
     from surfcmp_core.projection.winding import TURNED
 
     try:
@@ -40,7 +40,7 @@ def data_rows(surface: Surface) -> tuple[Rows, float]:
     """
     if surface.faces is not None:
         return [], 0.0
-    from surfcmp_core.side import data_of_cloud
+    from surfcmp_core.comparing.side import data_of_cloud
 
     try:
         data = data_of_cloud(surface)

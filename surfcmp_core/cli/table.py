@@ -3,7 +3,6 @@
 import sys
 from typing import TYPE_CHECKING, Literal
 
-from surfcmp_core.report.document import Document
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
 from surfcmp_core.report.provenance import (
@@ -13,6 +12,7 @@ from surfcmp_core.report.provenance import (
     left_out_rows,
     view_rows,
 )
+from surfcmp_core.report.record import Document
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from surfcmp_core.cli.ends import WrongUsage, ending
-from surfcmp_core.cli.options import NoDataOption, QuietOption, UnitOption
+from surfcmp_core.cli.shared_options import NoDataOption, QuietOption, UnitOption
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_default=False)]
 OutOption = Annotated[
@@ -36,12 +36,12 @@ def command(
     quiet: QuietOption = False,
 ) -> None:
     """Keep some nodes of a surface, for experiments: a cloud."""
+    from surfcmp_core.grid.thinning import thin_random, thin_to_spacing
     from surfcmp_core.io import read_surface
     from surfcmp_core.io.clouds import CLOUD_WRITERS
     from surfcmp_core.report.outputs import check_outputs
+    from surfcmp_core.surface.used import without_unused
     from surfcmp_core.system.whole_files import OutputError, write_all
-    from surfcmp_core.thinning import thin_random, thin_to_spacing
-    from surfcmp_core.used import without_unused
 
     if (keep is None) == (spacing is None):
         raise WrongUsage("thin: one of --keep and --spacing is needed")

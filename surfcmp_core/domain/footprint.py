@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.domain.buckets import Buckets, buckets_of, covered_by
+from surfcmp_core.cells.buckets import Buckets, buckets_of, covered_by
+from surfcmp_core.cells.gaps import NO_GAPS, gaps_of
+from surfcmp_core.compiled.kernel import kernel, wide
 from surfcmp_core.domain.centroids import centroids, mean_of
-from surfcmp_core.domain.gaps import NO_GAPS, gaps_of
 from surfcmp_core.domain.matching import match_faces
 from surfcmp_core.domain.spacing import limits_of_edges
-from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.localisation.localisation import walk_to
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import following, leaving_edges, preceding
 

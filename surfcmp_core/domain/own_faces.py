@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.domain.buckets import buckets_of, covered_by
+from surfcmp_core.cells.buckets import buckets_of, covered_by
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.domain.centroids import centroids
 from surfcmp_core.domain.matching import match_faces
-from surfcmp_core.kernel import kernel
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.with_faces import NO_FACE, with_faces

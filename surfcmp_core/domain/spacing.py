@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel
+from surfcmp_core.compiled.linear_algebra import lengths
 from surfcmp_core.domain.scan_lines import distance_of_lines
-from surfcmp_core.kernel import kernel
-from surfcmp_core.linear_algebra import lengths
 from surfcmp_core.triangulation import Triangulation
 
 _STEPS = 6

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 
 _BITS = 29
 """Bits an axis; with 16 a small dense cluster falls into one cell and loses all order."""

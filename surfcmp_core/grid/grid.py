@@ -6,11 +6,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.curve import curve_keys
-from surfcmp_core.kernel import kernel
 from surfcmp_core.surface import Surface
-from surfcmp_core.used import repeated_triangles
+from surfcmp_core.surface.used import repeated_triangles
 
 Duplicates = Literal["refuse", "mean", "max", "min"]
 """What to do with nodes of equal (x, y) and different z."""

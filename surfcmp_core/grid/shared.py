@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.grid.grid import Grid
-from surfcmp_core.kernel import kernel
 
 
 @kernel

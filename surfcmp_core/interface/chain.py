@@ -8,6 +8,7 @@ is computed anew while a bundle turns.
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import inlined, kernel, wide
 from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import N_TESTS, Event, Record, note
 from surfcmp_core.interface.joined import (
@@ -18,7 +19,6 @@ from surfcmp_core.interface.joined import (
     following,
     preceding,
 )
-from surfcmp_core.kernel import inlined, kernel, wide
 from surfcmp_core.predicates import LENGTHS_FILTER, in_disc
 
 N_TRIANGLES = 0

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core._cache import is_compiled
+from surfcmp_core.compiled.cache import is_compiled
+from surfcmp_core.compiled.kernel import kernel, wide
 from surfcmp_core.interface.chain import N_BRIDGES, N_TRIANGLES, trace_chain
 from surfcmp_core.interface.events import N_EVENTS, Event, Record, note, unpacked
 from surfcmp_core.interface.first_starter import first_starter
 from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, Joined, first_of, following
 from surfcmp_core.interface.next_starter import next_starter
-from surfcmp_core.kernel import kernel, wide
 
 _SLICE = 1 << 18
 """Interface triangles between two looks at whether the user cancelled."""

@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel, wide
 from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import Event, Record, note
 from surfcmp_core.interface.joined import TWIN, WORDS, preceding
 from surfcmp_core.interface.smallest_circle import is_better
-from surfcmp_core.kernel import kernel, wide
 
 _CIRCLE = int(Event.CIRCLE)
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined, kernel
+from surfcmp_core.compiled.kernel import inlined, kernel
 from surfcmp_core.triangulation import Triangulation
 
 WORDS = 8

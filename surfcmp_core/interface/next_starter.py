@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel, wide
 from surfcmp_core.interface.disc import disc_holds
 from surfcmp_core.interface.events import N_TESTS, Event, Record, note
 from surfcmp_core.interface.joined import TWIN, WORDS, following, preceding
 from surfcmp_core.interface.smallest_circle import leads_on
-from surfcmp_core.kernel import kernel, wide
 from surfcmp_core.predicates import CIRCLES_FILTER, orientation, scalar_product
 
 _CIRCLE, _WALK, _DISC = int(Event.CIRCLE), int(Event.WALK), int(Event.DISC)

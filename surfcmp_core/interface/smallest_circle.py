@@ -1,6 +1,6 @@
 """Choice of the node that gives the smallest circle touching at v: the paper's step (d)."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates import compare_tangent_circles, orientation, scalar_product
 
 

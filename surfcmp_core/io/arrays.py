@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.stated_units import unit_named
 from surfcmp_core.io.text import quoted
-from surfcmp_core.io.units import unit_named
 from surfcmp_core.io.unpacked import check_unpacked
 
 

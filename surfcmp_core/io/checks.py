@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.surface import Surface
-from surfcmp_core.used import without_unused
+from surfcmp_core.surface.used import without_unused
 
 _BLOCK = 4096
 

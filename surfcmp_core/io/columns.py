@@ -19,8 +19,8 @@ from surfcmp_core.io.headings import (
 from surfcmp_core.io.lead import MOST_COLUMNS, Lead, lead_of, split, splittings
 from surfcmp_core.io.notation import is_number, is_odd, numbers_in, refuse_thousands
 from surfcmp_core.io.raw import Raw
+from surfcmp_core.io.stated_units import unit_in
 from surfcmp_core.io.text import decode, filled_lines, quoted
-from surfcmp_core.io.units import unit_in
 
 _MOST_COMMENTS = 100
 _LONGEST_HEADER = 20_000

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfcmp_core.surface import Surface
-from surfcmp_core.used import used_part
+from surfcmp_core.surface.used import used_part
 
 
 @dataclass(frozen=True, slots=True)

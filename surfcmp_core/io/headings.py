@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.io.units import unit_named
+from surfcmp_core.io.stated_units import unit_named
 
 _LENGTHS = (
     r"[mckdnuµμ]?m|(?:milli|centi|deci|kilo|micro)?met(?:re|er)s?|microns?|in|inch(?:es)?"

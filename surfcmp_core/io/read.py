@@ -21,14 +21,14 @@ from surfcmp_core.io.ply import read_ply
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.sniff import looks_like
 from surfcmp_core.io.space import stated_space
+from surfcmp_core.io.stated_units import stated_unit
 from surfcmp_core.io.stl import read_stl
 from surfcmp_core.io.triangles import triangulate
-from surfcmp_core.io.units import stated_unit
 from surfcmp_core.io.vtk import read_vtk
 from surfcmp_core.io.vtp import read_vtp
 from surfcmp_core.surface import Surface
+from surfcmp_core.surface.units import SIZES, UNITS, converted, name_of
 from surfcmp_core.system.memory import need_memory
-from surfcmp_core.units import SIZES, UNITS, converted, name_of
 
 READERS: dict[str, Callable[[bytes], Raw]] = {
     ".ply": read_ply,

@@ -8,8 +8,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from surfcmp_core.io.units import unit_named
-from surfcmp_core.units import SIZES
+from surfcmp_core.io.stated_units import unit_named
+from surfcmp_core.surface.units import SIZES
 
 _NEAR = 2e-7
 """Relative: sizes of units are rounded to seven digits at worst; both feet differ by 2e-6."""
@@ -36,7 +36,7 @@ class LengthUnits:
     Attributes
     ----------
     horizontal, vertical : str or None
-        Of x, y and of z, as keys of `surfcmp_core.units.SIZES`; None where nothing is said.
+        Of x, y and of z, as keys of `surfcmp_core.surface.units.SIZES`; None where nothing is said.
     angles : bool
         Whether x and y are longitude and latitude.
     odd : list of str

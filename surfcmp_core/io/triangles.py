@@ -87,7 +87,7 @@ def _split(
     group: NDArray[np.int32], points: NDArray[np.float64]
 ) -> tuple[list[NDArray[np.int32]], int]:
     """Triangles of some polygons of c corners each, and how many cross themselves."""
-    from surfcmp_core.linear_algebra import dots, lengths
+    from surfcmp_core.compiled.linear_algebra import dots, lengths
 
     k, c = group.shape
     places = points[group] - points[group[:, :1]]
@@ -130,7 +130,7 @@ def _ears(
     """
     from mapbox_earcut import triangulate_float64
 
-    from surfcmp_core.linear_algebra import dots, length
+    from surfcmp_core.compiled.linear_algebra import dots, length
 
     if len(places) > _MOST:
         raise InputError(f"a polygon of {len(places)} corners that is not convex is not read")

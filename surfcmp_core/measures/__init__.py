@@ -1,13 +1,13 @@
 """From differences at the nodes of T to the measures."""
 
+from surfcmp_core.measures.exact.overlay import disagreement, measure_exactly
+from surfcmp_core.measures.exact.overlay_side import LinearSurface
+from surfcmp_core.measures.exact.within import area_within, shares_within
 from surfcmp_core.measures.hausdorff import hausdorff
-from surfcmp_core.measures.measure import measure
 from surfcmp_core.measures.measures import Measures
-from surfcmp_core.measures.overlay import disagreement, measure_exactly
-from surfcmp_core.measures.overlay_side import LinearSurface
+from surfcmp_core.measures.nodal import measure
 from surfcmp_core.measures.totals import Covered, TriangleValues
 from surfcmp_core.measures.triangle_area import triangle_areas
-from surfcmp_core.measures.within import area_within, shares_within
 
 __all__ = [
     "Covered",

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel, wide
-from surfcmp_core.stack import enlarged
+from surfcmp_core.compiled.kernel import kernel, wide
+from surfcmp_core.compiled.stack import enlarged
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import following, leaving_edges, preceding
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 
 _BIN_BITS = 14  # Bits by which values are told apart in one round: the bins stay in the cache.
 

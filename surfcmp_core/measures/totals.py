@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.measures.compensated_sum import add
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.percentiles import area_percentiles
@@ -190,7 +190,7 @@ def measures_from(
     unit : float
         Length in which the parts are.
     tolerances, hausdorff
-        As for :func:`surfcmp_core.measures.measure`.
+        As for :func:`surfcmp_core.measures.nodal`.
     coverage : (float, float)
         `Measures.coverage_1` and `Measures.coverage_2`.
 

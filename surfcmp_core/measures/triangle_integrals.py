@@ -6,7 +6,7 @@ and a quadrangle; each is summed from terms of one sign, so nothing cancels. All
 neither on which node comes first nor, but for the sign of `mean`, on the sign of d, bit for bit.
 """
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 
 
 @kernel

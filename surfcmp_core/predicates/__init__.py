@@ -1,9 +1,9 @@
 """Exact predicates on nodes in the plane: the only geometry the merge rests on.
 
 Each has a floating-point filter and an exact fall-back in expansions. They are exact for
-coordinates that :func:`surfcmp_core.grid.scaling.safe_scale` accepts. Ties among cocircular nodes
-are broken by the coordinates alone, so that the Delaunay triangulation of a set of distinct nodes
-is unique.
+coordinates that :func:`surfcmp_core.grid.safe_range.safe_scale` accepts. Ties among cocircular
+nodes are broken by the coordinates alone, so that the Delaunay triangulation of a set of distinct
+nodes is unique.
 """
 
 from surfcmp_core.predicates.in_circle import LENGTHS_FILTER, in_circle, in_disc

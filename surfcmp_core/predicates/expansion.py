@@ -2,13 +2,13 @@
 
 An expansion is an array of float64 whose exact sum is the number: components do not overlap, grow
 in magnitude, and none is zero but in the expansion of zero itself, ``[0.0]``. Exact while no
-product over- or underflows; `surfcmp_core.grid.scaling` sees to that.
+product over- or underflows; `surfcmp_core.grid.safe_range` sees to that.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 
 Expansion = NDArray[np.float64]
 

@@ -1,6 +1,6 @@
 """Whether a node lies in the circumcircle of three others."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.expansion import add, difference, leading, multiply, subtract
 from surfcmp_core.predicates.orientation import orientation
 

@@ -1,6 +1,6 @@
 """Which of two edges is longer."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.expansion import (
     Expansion,
     add,

@@ -1,6 +1,6 @@
 """On which side of a line a node lies, and how large a triangle is."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.products import CLEAR, difference_of_products
 
 _EPSILON = 2.0**-53

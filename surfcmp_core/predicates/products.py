@@ -1,6 +1,6 @@
 """Two products of differences, one minus the other: what areas and scalar products come down to."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.expansion import (
     difference,
     multiply,

@@ -1,6 +1,6 @@
 """Whether one edge leads along another or against it."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.expansion import Expansion, add, multiply
 from surfcmp_core.predicates.products import CLEAR, difference_of_products
 

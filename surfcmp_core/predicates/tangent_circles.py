@@ -1,6 +1,6 @@
 """Which of two circles that touch each other at a node is smaller."""
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates.expansion import difference, leading, multiply, subtract
 from surfcmp_core.predicates.scalar_product import exact_scalar_product
 

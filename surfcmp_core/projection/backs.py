@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
-from surfcmp_core.projection.cells import Cells, extent
+from surfcmp_core.cells.layers import Cells, extent
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.removed import Fate
 

@@ -9,8 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import (
+from surfcmp_core.compiled.linear_algebra import (
     dot,
     dots,
     eigen,
@@ -19,8 +18,9 @@ from surfcmp_core.linear_algebra import (
     moments,
     weighed_sum,
 )
+from surfcmp_core.errors import InputError
+from surfcmp_core.projection.flat_bits import Samples, samples_of
 from surfcmp_core.projection.frame import frame
-from surfcmp_core.projection.samples import Samples, samples_of
 from surfcmp_core.projection.view import seen
 from surfcmp_core.surface import Surface
 

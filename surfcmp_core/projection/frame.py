@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from surfcmp_core.compiled.linear_algebra import applied, length, lengths
 from surfcmp_core.errors import InputError
-from surfcmp_core.linear_algebra import applied, length, lengths
 from surfcmp_core.surface import Surface
 
 _FLAT = 0.01

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.projection.removed import Fate
 
 _KEPT = int(Fate.KEPT)

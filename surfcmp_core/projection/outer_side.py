@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
-from surfcmp_core.linear_algebra import dots, length, weighed_sum
-from surfcmp_core.projection.samples import Samples, samples_of
+from surfcmp_core.compiled.kernel import kernel
+from surfcmp_core.compiled.linear_algebra import dots, length, weighed_sum
+from surfcmp_core.projection.flat_bits import Samples, samples_of
 from surfcmp_core.projection.view import side_of_pixels
 from surfcmp_core.surface import Surface
 

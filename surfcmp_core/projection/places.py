@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
 
 _CELL = 64.0
 """Width of the cells among which nodes a little apart are sought, in times of that little."""

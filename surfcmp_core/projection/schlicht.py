@@ -5,20 +5,20 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cells.layers import cells_over
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.errors import InputError
-from surfcmp_core.grid.scaling import safe_scale
-from surfcmp_core.kernel import kernel
+from surfcmp_core.grid.safe_range import safe_scale
 from surfcmp_core.predicates import orientation
 from surfcmp_core.projection.backs import backs_that_hide
+from surfcmp_core.projection.behind import hide
 from surfcmp_core.projection.border import border_of
-from surfcmp_core.projection.cells import cells_over
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.outer_side import seen_from_behind
-from surfcmp_core.projection.overlap import hide
 from surfcmp_core.projection.places import same_place
 from surfcmp_core.projection.removed import Fate, Removed
 from surfcmp_core.surface import Surface
-from surfcmp_core.used import UNUSED
+from surfcmp_core.surface.used import UNUSED
 
 _KEPT, _HIDDEN = int(Fate.KEPT), int(Fate.HIDDEN)
 _DEGENERATE, _BACK_FACING = int(Fate.DEGENERATE), int(Fate.BACK_FACING)

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
+from surfcmp_core.projection.flat_bits import Samples
 from surfcmp_core.projection.frame import frame
-from surfcmp_core.projection.samples import Samples
 
 _EACH_PIXEL = 4.0
 """Bits in front that a pixel of the depth buffer gets on average."""

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
-from surfcmp_core.linear_algebra import lengths
+from surfcmp_core.compiled.kernel import kernel
+from surfcmp_core.compiled.linear_algebra import lengths
 from surfcmp_core.projection.border import border_of
 from surfcmp_core.surface import Surface
 

@@ -6,9 +6,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report.document import Document
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.meanings import REASONS
+from surfcmp_core.report.record import Document
 
 
 def json_bytes(document: Document) -> bytes:

@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report.document import Document
-from surfcmp_core.report.provenance import base_name, key_figures
-from surfcmp_core.report.scale import (
+from surfcmp_core.colours.scale import (
     ABOVE,
     BELOW,
     NOT_COMPARED,
@@ -22,6 +19,9 @@ from surfcmp_core.report.scale import (
     colour_table,
     scale_of,
 )
+from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.report.provenance import base_name, key_figures
+from surfcmp_core.report.record import Document
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

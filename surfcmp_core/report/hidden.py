@@ -3,9 +3,9 @@
 from dataclasses import replace
 from typing import Any
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report.document import Document
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.provenance import base_name
+from surfcmp_core.report.record import Document
 
 HIDDEN = "hidden"
 

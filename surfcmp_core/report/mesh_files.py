@@ -6,9 +6,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.data_files import exact_columns
-from surfcmp_core.report.document import Document
+from surfcmp_core.report.record import Document
 
 Columns = dict[str, NDArray[Any]]
 

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import BinaryIO
 
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.names import one_line
 from surfcmp_core.report.data_files import write_csv, write_json, write_npz
-from surfcmp_core.report.document import Document
 from surfcmp_core.report.mesh_files import write_ply, write_vtp
 from surfcmp_core.report.page import write_html
 from surfcmp_core.report.pictures import write_pdf, write_png
+from surfcmp_core.report.record import Document
 from surfcmp_core.system.whole_files import OutputError, beside, reason, write_all
 
 Writer = Callable[[Comparison, Document, BinaryIO], None]

@@ -7,8 +7,8 @@ from io import BytesIO
 from itertools import zip_longest
 from typing import TYPE_CHECKING, BinaryIO
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report.document import Document
+from surfcmp_core.colours.scale import scale_of
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.figures import heatmap, histogram, save
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
@@ -26,7 +26,7 @@ from surfcmp_core.report.provenance import (
     transform_text,
     versions,
 )
-from surfcmp_core.report.scale import scale_of
+from surfcmp_core.report.record import Document
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

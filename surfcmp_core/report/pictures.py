@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import BinaryIO
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report.document import Document
+from surfcmp_core.colours.scale import scale_of
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.figures import (
     LYING,
     MAP_MARGINS,
@@ -33,7 +33,7 @@ from surfcmp_core.report.provenance import (
     transform_text,
     versions,
 )
-from surfcmp_core.report.scale import scale_of
+from surfcmp_core.report.record import Document
 
 INSET = 0.35
 """Inches left of a map; its labels may reach into the margin."""

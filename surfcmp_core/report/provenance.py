@@ -3,8 +3,8 @@
 from typing import Any
 
 from surfcmp_core.alignment import Record
-from surfcmp_core.report.document import Document
 from surfcmp_core.report.numbers import thousands, towards, with_unit
+from surfcmp_core.report.record import Document
 
 DISCLAIMER = "For research and teaching; not a medical device."
 

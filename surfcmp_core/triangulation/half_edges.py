@@ -10,7 +10,7 @@ half-edges ``3 g`` (the hull edge, clockwise around the hull), ``3 g + 1`` (to i
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined, kernel
+from surfcmp_core.compiled.kernel import inlined, kernel
 
 INFINITY = -1
 """Number of the node at infinity."""

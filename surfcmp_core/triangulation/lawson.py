@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined, kernel, wide
+from surfcmp_core.compiled.kernel import inlined, kernel, wide
+from surfcmp_core.compiled.stack import enlarged
 from surfcmp_core.predicates import LENGTHS_FILTER, in_disc, orientation
-from surfcmp_core.stack import enlarged
 from surfcmp_core.triangulation.half_edges import following, preceding
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import kernel
+from surfcmp_core.compiled.kernel import kernel
+from surfcmp_core.compiled.stack import enlarged
 from surfcmp_core.predicates import orientation
-from surfcmp_core.stack import enlarged
 from surfcmp_core.triangulation.half_edges import following, leaving_edges, preceding
 from surfcmp_core.triangulation.triangulation import Triangulation
 

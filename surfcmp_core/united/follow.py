@@ -7,7 +7,7 @@ at them, and which triangles are interface ones is known only when the nodes car
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.kernel import inlined, kernel
+from surfcmp_core.compiled.kernel import inlined, kernel
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import following, preceding
 

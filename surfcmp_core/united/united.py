@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.interface import Chains, Joined, extract_chains, join
 from surfcmp_core.interface.joined import MARKS, PASSED, WORDS, following
-from surfcmp_core.kernel import kernel
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, is_flat, triangulate
 from surfcmp_core.triangulation.half_edges import half_edges

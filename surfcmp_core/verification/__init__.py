@@ -4,13 +4,13 @@
 `check_values`, `check_sums` and `check_exchange` are asked for.
 """
 
-from surfcmp_core.verification.chains import check_chains
-from surfcmp_core.verification.cover import check_cover
-from surfcmp_core.verification.kept import keeping
-from surfcmp_core.verification.numbers import check_exchange, check_measures
-from surfcmp_core.verification.sums import check_sums
-from surfcmp_core.verification.united import check_half_edges, check_nodes, check_united
-from surfcmp_core.verification.values import check_values
+from surfcmp_core.verification.check_chains import check_chains
+from surfcmp_core.verification.check_cover import check_cover
+from surfcmp_core.verification.check_measures import check_exchange, check_measures
+from surfcmp_core.verification.check_sums import check_sums
+from surfcmp_core.verification.check_united import check_half_edges, check_nodes, check_united
+from surfcmp_core.verification.check_values import check_values
+from surfcmp_core.verification.evidence import keeping
 
 __all__ = [
     "check_chains",

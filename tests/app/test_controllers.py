@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QObject, QSettings, Signal
 
-from app.controllers.chains import Chains
+from app.controllers.chain_choice import Chains
+from app.controllers.colour_range import Scaling
+from app.controllers.marking import Regions
 from app.controllers.opening import Opening
-from app.controllers.places import Places
-from app.controllers.regions import Regions
-from app.controllers.scaling import Scaling
-from app.controllers.section import Section
+from app.controllers.probing import Places
+from app.controllers.sectioning import Section
 from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.region import Region, Stroke

@@ -21,7 +21,7 @@ from PySide6.QtCore import QEventLoop, QSettings, QTimer  # noqa: E402
 from PySide6.QtWidgets import QApplication  # noqa: E402
 
 if TYPE_CHECKING:
-    from app.views.studio import Pictures
+    from app.drawing.studio import Pictures
     from app.window import MainWindow
 
 TURNING_SECONDS = 3.0

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from surfcmp_core.alignment import best_fit, fit_landmarks
 from surfcmp_core.errors import InputError
+from surfcmp_core.grid.thinning import thin_random
 from surfcmp_core.io import read_surface
+from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.projection import moved
-from surfcmp_core.samples import sample_pair
 from surfcmp_core.surface import Surface
-from surfcmp_core.thinning import thin_random
 from tests.core.test_projection_direction import sheet
 from tests.core.turning import any_motion, left_over
 

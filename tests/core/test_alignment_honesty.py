@@ -12,11 +12,11 @@ from app.__main__ import main
 from surfcmp_core import read_surface
 from surfcmp_core.alignment import best_fit, fit_landmarks, record_of_motion
 from surfcmp_core.errors import InputError
+from surfcmp_core.grid.thinning import thin_random
+from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.projection import moved
 from surfcmp_core.report.provenance import fit_rows
-from surfcmp_core.samples import sample_pair
 from surfcmp_core.surface import Surface
-from surfcmp_core.thinning import thin_random
 from tests.core.turning import any_motion, left_over, turn_about
 
 AXES = {"x": [1.0, 0, 0], "y": [0, 1.0, 0], "z": [0, 0, 1.0]}

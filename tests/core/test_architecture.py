@@ -14,14 +14,12 @@ FOREIGN = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", 
 FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
-    {"errors", "progress", "surface", "names", "_cache"},
-    {"kernel", "system", "units"},
-    {"together"},
-    {"linear_algebra", "predicates", "stack", "used"},
-    {"refusals"},
-    {"grid", "io", "thinning"},
-    {"triangulation", "projection", "samples"},
-    {"alignment", "placement"},
+    {"errors", "names"},
+    {"compiled", "system"},
+    {"predicates", "surface"},
+    {"cells", "grid", "io"},
+    {"triangulation", "projection"},
+    {"alignment"},
     {"spanning_tree"},
     {"localisation"},
     {"interpolation"},
@@ -29,9 +27,9 @@ ORDER = (
     {"united"},
     {"domain"},
     {"measures"},
-    {"comparison"},
-    {"cautions", "side", "stages", "warming", "verification"},
-    {"compare", "report"},
+    {"verification"},
+    {"comparing"},
+    {"colours", "report"},
     {"cli"},
 )
 """Each part may import those in the rows above it, and itself."""

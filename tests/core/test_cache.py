@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from surfcmp_core import _cache
+from surfcmp_core.compiled import cache as _cache
 
 
 @pytest.fixture(autouse=True)
@@ -30,8 +30,8 @@ def test_kernels_go_to_the_user_and_belong_to_the_sources(
     assert Path(os.environ.pop("NUMBA_CACHE_DIR")) == folder
 
     changed = user_cache / "changed"
-    shutil.copytree(Path(_cache.__file__).parent, changed)
-    monkeypatch.setattr(_cache, "__file__", str(changed / "_cache.py"))
+    shutil.copytree(Path(_cache.__file__).parents[1], changed)
+    monkeypatch.setattr(_cache, "__file__", str(changed / "compiled" / "cache.py"))
     with (changed / "io" / "read.py").open("a") as source:
         source.write("# no kernel is compiled from this\n")
     _cache.use_own_cache()
@@ -68,7 +68,7 @@ def test_choice_of_the_user_stands(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_no_kernel_is_compiled_from_parts_that_do_not_count() -> None:
-    core = Path(_cache.__file__).parent
+    core = Path(_cache.__file__).parents[1]
     kernel = re.compile("^@(kernel|inlined)$", re.MULTILINE)
     files = [path for path in core.rglob("*.py") if kernel.search(path.read_text("utf-8"))]
     assert len(files) > 30

@@ -12,7 +12,7 @@ import pytest
 import surfcmp_core
 from app import __main__ as program
 from app.__main__ import main
-from surfcmp_core.samples import sample_pair
+from surfcmp_core.io.samples import sample_pair
 from tests.core.said import lines
 
 PROJECT = Path(__file__).parents[2]
@@ -122,7 +122,7 @@ def test_a_bad_matrix_is_refused_in_one_line(
 def test_a_weight_is_linear_between_its_nodes_and_constant_outside(
     pair: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from surfcmp_core.cli.weight import read_weight
+    from surfcmp_core.comparing.weight import read_weight
 
     file = tmp_path / "weight.txt"
     file.write_text("0 0 1\n2 0 3\n2 2 3\n0 2 1\n")
@@ -308,8 +308,6 @@ def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_the_package_gives_what_is_asked_for() -> None:
-    import surfcmp_core.compare  # the module of this name must not hide the function
-
     assert callable(surfcmp_core.compare)
     assert surfcmp_core.InputError is surfcmp_core.errors.InputError
     assert set(surfcmp_core.__all__) <= set(dir(surfcmp_core))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.__main__ import main
-from surfcmp_core.placement import look_at
+from surfcmp_core.projection.placement import look_at
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
 from tests.core.turning import mirrored_back

@@ -7,7 +7,7 @@ import pytest
 
 from app.__main__ import main
 from surfcmp_core import read_surface
-from surfcmp_core.samples import sample_pair
+from surfcmp_core.io.samples import sample_pair
 
 
 @pytest.mark.parametrize("ending", [".ply", ".npz", ".xyz"])

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from surfcmp_core import Comparison, InputError, Surface, compare
-from surfcmp_core.comparison import Domain
+from surfcmp_core.comparing.comparison import Domain
 from surfcmp_core.errors import Cancelled
 from surfcmp_core.measures import Measures
 from tests.invariants import codes, ranks

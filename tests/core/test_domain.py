@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core import Comparison, Surface, compare
-from surfcmp_core.comparison import Domain
+from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.side import triangles_with_data
 from surfcmp_core.domain import (
     Footprint,
     Reason,
@@ -21,7 +22,6 @@ from surfcmp_core.domain.footprint import DATA, HOLE, OUTSIDE, states_at
 from surfcmp_core.domain.spacing import spacing_at
 from surfcmp_core.errors import InputError
 from surfcmp_core.localisation import locate_from
-from surfcmp_core.side import triangles_with_data
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, triangulate
 from tests.core import oracles

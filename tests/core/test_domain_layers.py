@@ -11,7 +11,7 @@ from surfcmp_core import Surface, compare
 from surfcmp_core.domain.layers import MIXED, share_among_layers
 from surfcmp_core.grid import grid_of
 from surfcmp_core.io import read_surface
-from surfcmp_core.samples import SAMPLES, Sample, sample_pair
+from surfcmp_core.io.samples import SAMPLES, Sample, sample_pair
 from surfcmp_core.triangulation import triangulate
 
 Points = NDArray[np.float64]

@@ -6,7 +6,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from surfcmp_core.compare import compare
+from surfcmp_core.comparing.pipeline import compare
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale
 from surfcmp_core.surface import Surface

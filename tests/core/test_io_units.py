@@ -9,7 +9,7 @@ import pytest
 
 from surfcmp_core.errors import InputError
 from surfcmp_core.io import read_surface
-from surfcmp_core.io.units import unit_in, unit_named
+from surfcmp_core.io.stated_units import unit_in, unit_named
 from tests.core import surface_files as files
 
 SQUARE = files.SQUARE

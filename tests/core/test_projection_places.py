@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from surfcmp_core.placement import look_at
 from surfcmp_core.projection import frame, moved
+from surfcmp_core.projection.placement import look_at
 from surfcmp_core.projection.places import same_place
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet

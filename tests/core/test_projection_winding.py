@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.placement import look_at, place
 from surfcmp_core.projection import wound_alike
+from surfcmp_core.projection.placement import look_at, place
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
 from tests.core.turning import mirrored_back

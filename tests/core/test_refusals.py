@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from app.__main__ import main
 from surfcmp_core import Surface, compare
 from surfcmp_core.alignment import best_fit
-from surfcmp_core.cli.weight import read_weight
+from surfcmp_core.comparing.weight import read_weight
 from surfcmp_core.errors import InputError
-from surfcmp_core.placement import place
+from surfcmp_core.projection.placement import place
 
 Floats = NDArray[np.float64]
 RNG = np.random.default_rng(3)

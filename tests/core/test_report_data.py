@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
 from surfcmp_core.report import WRITERS, make_document

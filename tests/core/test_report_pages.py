@@ -13,17 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from surfcmp_core.comparison import Comparison
-from surfcmp_core.report import WRITERS, make_document
-from surfcmp_core.report.document import region_document
-from surfcmp_core.report.figures import short_name
-from surfcmp_core.report.hidden import without_names
-from surfcmp_core.report.meanings import MEANINGS, REASONS
-from surfcmp_core.report.numbers import figure, thousands, with_unit
-from surfcmp_core.report.page import write_html
-from surfcmp_core.report.pictures import write_pdf
-from surfcmp_core.report.provenance import DISCLAIMER, region_table, transform_text
-from surfcmp_core.report.scale import (
+from surfcmp_core.colours.scale import (
     WITHIN,
     Scale,
     band_colours,
@@ -31,6 +21,16 @@ from surfcmp_core.report.scale import (
     scale_end,
     scale_of,
 )
+from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.report import WRITERS, make_document
+from surfcmp_core.report.figures import short_name
+from surfcmp_core.report.hidden import without_names
+from surfcmp_core.report.meanings import MEANINGS, REASONS
+from surfcmp_core.report.numbers import figure, thousands, with_unit
+from surfcmp_core.report.page import write_html
+from surfcmp_core.report.pictures import write_pdf
+from surfcmp_core.report.provenance import DISCLAIMER, region_table, transform_text
+from surfcmp_core.report.record import region_document
 
 from .two_squares import two_squares
 

@@ -15,12 +15,12 @@ from app.jobs.comparing import compared
 from app.model.document import Document
 from surfcmp_core import InputError, Surface, compare, read_surface
 from surfcmp_core.alignment import best_fit
-from surfcmp_core.cli.options import UnitOption
-from surfcmp_core.placement import place
-from surfcmp_core.progress import silent
+from surfcmp_core.cli.shared_options import UnitOption
+from surfcmp_core.projection.placement import place
 from surfcmp_core.report import make_document
-from surfcmp_core.together import bring_together, carried
-from surfcmp_core.units import SIZES, UNITS, converted
+from surfcmp_core.surface.together import bring_together, carried
+from surfcmp_core.surface.units import SIZES, UNITS, converted
+from surfcmp_core.system.progress import silent
 from tests.core import surface_files as files
 
 REPORTS = Path(__file__).parent / "fixtures" / "reports"
@@ -203,7 +203,7 @@ def test_sizes_of_units() -> None:
 def test_one_list_of_units_for_the_command_line_the_window_and_python() -> None:
     from typing import get_args
 
-    panel = (Path(__file__).parents[2] / "app/panels/options.py").read_text(encoding="utf-8")
+    panel = (Path(__file__).parents[2] / "app/panels/options_panel.py").read_text(encoding="utf-8")
     block = panel[panel.index("UNITS: dict") : panel.index("VIEWS: dict")]
     asked = get_args(get_args(get_args(UnitOption)[0])[0])
     assert set(asked) == set(UNITS)

@@ -14,7 +14,7 @@ from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
 from surfcmp_core import compare, read_surface
-from surfcmp_core.samples import SAMPLES, Sample, sample_pair, truth
+from surfcmp_core.io.samples import SAMPLES, Sample, sample_pair, truth
 
 Array = NDArray[np.float64]
 RESOURCES = Path(__file__).parents[2] / "resources"

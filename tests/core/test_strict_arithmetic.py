@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import surfcmp_core
-from surfcmp_core import linear_algebra
+from surfcmp_core.compiled import linear_algebra
 
 CORE = Path(surfcmp_core.__file__).parent
 MODULES = sorted(CORE.rglob("*.py"))

@@ -10,8 +10,8 @@ import pytest
 
 from app.__main__ import main
 from surfcmp_core import compare
-from surfcmp_core.placement import look_at, place
 from surfcmp_core.projection import moved, seen_from_behind
+from surfcmp_core.projection.placement import look_at, place
 from surfcmp_core.surface import Surface
 from tests.core.test_projection_direction import sheet
 from tests.core.turning import any_motion

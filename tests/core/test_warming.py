@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from surfcmp_core import warming
+from surfcmp_core.comparing import warming
 from surfcmp_core.system.lock import make_held
 
 _SIGNATURES = """
@@ -23,11 +23,13 @@ print(json.dumps(sorted(
 """
 _COMPARISON = """
 import numpy as np
-from surfcmp_core.compare import compare
+from surfcmp_core.comparing.pipeline import compare
 from surfcmp_core.surface import Surface
 compare(*(Surface(np.random.default_rng(k).random((100, 3)), unit="mm") for k in (1, 2)))
 """
-_LATER_STAGES = "from surfcmp_core.warming import compile_later_stages; compile_later_stages()"
+_LATER_STAGES = (
+    "from surfcmp_core.comparing.warming import compile_later_stages; compile_later_stages()"
+)
 
 
 def _signatures(program: str) -> set[str]:

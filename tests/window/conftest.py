@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
-from app.jobs.kept import Kept
+from app.jobs.window_folder import Kept
 from app.window import MainWindow
 from tests.window.builders import comparison_of, hills
 

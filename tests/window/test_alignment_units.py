@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.controllers.alignment import _best_fit, _to_comparison
+from app.controllers.aligning import _best_fit, _to_comparison
 from app.jobs.comparing import compared
 from app.model.document import Document, Motion
-from surfcmp_core.progress import silent
-from surfcmp_core.samples import sample_pair
+from surfcmp_core.io.samples import sample_pair
+from surfcmp_core.system.progress import silent
 from tests.core.surface_files import ply_header
 
 

@@ -10,9 +10,9 @@ import app
 APP = Path(app.__file__).parent
 ORDER = (
     {"model"},
-    {"numbers", "texts", "theme", "settings", "icons"},
+    {"look", "settings"},
     {"scene"},
-    {"jobs"},
+    {"jobs", "drawing"},
     {"views", "panels"},
     {"controllers"},
     {"actions"},
@@ -54,5 +54,5 @@ def test_model_and_scene_know_no_screen(path: Path):
     roots = {name.split(".")[0] for name in imports(path)}
     if own in {"model", "scene"}:
         assert not roots & {"PySide6", "vtkmodules"}
-    if own != "views":
+    if own != "drawing":
         assert "vtkmodules" not in roots

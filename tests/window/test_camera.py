@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from app.scene.camera import Camera, between, home, showing
 from app.scene.geometry import geometry_of
 from app.scene.pick import place_at
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 
 small_number = st.floats(-0.9, 0.9)
 angle = st.floats(-3.0, 3.0)

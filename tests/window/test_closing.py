@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from pytestqt.qtbot import QtBot
 
-from app.jobs.kept import Kept
+from app.jobs.window_folder import Kept
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 

@@ -16,15 +16,15 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from app import settings
-from app.jobs.keeping import Fault
-from app.jobs.kept import Kept
+from app.jobs.session_files import Fault
+from app.jobs.window_folder import Kept
 from app.model.tool import Tool
 from app.model.view_state import Heatmap, Scale
+from app.panels.command_palette import CommandPalette
 from app.panels.help import HelpDialog
-from app.panels.palette import CommandPalette
 from app.scene import colour_maps
 from app.scene.distribution import fitting_limit
-from app.scene.palette import LIGHT
+from app.scene.quiet_colours import LIGHT
 from app.window import MainWindow
 from surfcmp_core.report import scale
 from tests.window.conftest import PATIENCE

@@ -9,11 +9,11 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document, Motion
 from app.model.history import MOST_STEPS, Change, History, Step, change_between
-from app.model.pair import Pair
+from app.model.landmark import Pair
 from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Place, Scale, ViewState
 from app.window import MainWindow
-from surfcmp_core.comparison import Options
+from surfcmp_core.comparing.comparison import Options
 from tests.window.conftest import PATIENCE
 from tests.window.test_panels import drag, show
 from tests.window.test_window import drop

@@ -13,10 +13,10 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 import numpy as np
-from app.jobs.keeping import open_session, save_session
+from app.jobs.session_files import open_session, save_session
 from app.model.document import Document
 from app.model.view_state import ViewState
-from surfcmp_core.progress import silent
+from surfcmp_core.system.progress import silent
 from tests.killing import kill_at_random, seed_of
 
 folder = Path(sys.argv[1])

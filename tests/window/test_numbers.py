@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from app.numbers import four, short, three
-from app.panels.scale import parse_tolerances
+from app.look.numerals import four, short, three
+from app.panels.scale_panel import parse_tolerances
 
 
 @pytest.mark.parametrize(

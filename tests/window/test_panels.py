@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from app.model.document import NOT_MOVED
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
-from app.panels.regions import COLOURS
+from app.panels.regions_panel import COLOURS
 from app.scene.distribution import distribution_of
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE

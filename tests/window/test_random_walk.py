@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
-from app.panels.regions import COLOURS
+from app.panels.regions_panel import COLOURS
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 

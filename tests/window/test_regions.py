@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from app.jobs.regions import (
+from app.jobs.region_measures import (
     beside,
     inside,
     measured_regions,
@@ -16,7 +16,7 @@ from app.jobs.regions import (
     with_tolerances,
 )
 from app.model.region import Region, Stroke
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 
 SQUARE = ((-30.0, -30.0), (10.0, -30.0), (10.0, 10.0), (-30.0, 10.0))
 REGIONS = (

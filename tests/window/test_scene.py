@@ -15,12 +15,12 @@ from app.scene.content import content_of
 from app.scene.distribution import distribution_of, distributions_of, fitting_limit
 from app.scene.furniture import colour_bar, legend
 from app.scene.geometry import geometry_of, middle_height
-from app.scene.palette import palette
-from app.scene.scale import round_down, round_up, ticks
+from app.scene.profile import profile_of
+from app.scene.quiet_colours import palette
 from app.scene.scene import heatmap_colours, scene_of, united_colours
-from app.scene.section import profile_of
+from app.scene.ticks import round_down, round_up, ticks
 from app.scene.values import Trust, trust_of, values_of
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.triangulation import triangulate
 
 STATE = ViewState()
@@ -274,7 +274,7 @@ def test_a_coarse_patch_keeps_the_outline_and_points_at_the_patch():
 
 @pytest.mark.parametrize("relief", [True, False])
 def test_lines_are_drawn_over_all_views(small: Comparison, relief: bool):
-    from app.jobs.regions import region_of
+    from app.jobs.region_measures import region_of
     from app.model.region import Region, Stroke
 
     region = Region("a", (1, 2, 3), strokes=(Stroke(((0.0, 0.0),), 20.0),))

@@ -9,15 +9,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.jobs.keeping import open_session, save_session
+from app.jobs.session_files import open_session, save_session
 from app.model.document import FIT_KEYS, Document, Motion
-from app.model.pair import Pair
+from app.model.landmark import Pair
 from app.model.region import Region, Stroke
-from app.model.session_file import Eye, from_text, regions_from, regions_text, to_text, write
+from app.model.session_text import Eye, from_text, regions_from, regions_text, to_text, write
 from app.model.view_state import Heatmap, Place, Scale, ViewState
-from surfcmp_core.comparison import Options
+from surfcmp_core.comparing.comparison import Options
 from surfcmp_core.errors import Cancelled, InputError
-from surfcmp_core.progress import silent
+from surfcmp_core.system.progress import silent
 
 number = st.floats(-1e9, 1e9)
 positive = st.floats(1e-6, 1e6)

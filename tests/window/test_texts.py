@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import app
-from app.panels.alignment import METHODS
+from app.panels.alignment_panel import METHODS
 from app.panels.measure_names import CORE_TEXTS
 from app.views.overlays import LEGEND
 from surfcmp_core.report.meanings import MEANINGS, NOTES, SUMS

@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
-from app.jobs.keeping import save_session
-from app.jobs.kept import Kept
+from app.jobs.session_files import save_session
+from app.jobs.window_folder import Kept
 from app.model.document import Document
 from app.model.view_state import ViewState
-from surfcmp_core.progress import silent
+from surfcmp_core.system.progress import silent
 
 PROGRAM = """
 import json, sys, threading
@@ -22,7 +22,7 @@ from dataclasses import replace
 from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 import app.window
-from app.controllers.sessions import Sessions
+from app.controllers.saving import Sessions
 
 def say(**what):
     print(json.dumps(what), flush=True)

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
+from app.drawing.studio import Pictures
 from app.model.tool import Tool
 from app.model.view_state import Place, ViewState
 from app.scene.camera import Camera, home
@@ -21,10 +22,9 @@ from app.scene.pick import (
     point_at,
     point_in_view,
 )
-from app.scene.section import profile_of
-from app.views.studio import Pictures
+from app.scene.profile import profile_of
 from app.window import MainWindow
-from surfcmp_core.comparison import Comparison
+from surfcmp_core.comparing.comparison import Comparison
 from tests.window.builders import comparison_of, hills
 from tests.window.conftest import PATIENCE
 from tests.window.test_panels import drag, show
@@ -231,7 +231,7 @@ def test_large_surfaces_are_sketched_before_they_are_drawn(
     qtbot: QtBot,
 ):
     monkeypatch.setattr("app.scene.coarse.NODES", 20)  # these are large, then
-    monkeypatch.setattr("app.views.studio.AFFORDABLE_SECONDS", 0.0)
+    monkeypatch.setattr("app.drawing.studio.AFFORDABLE_SECONDS", 0.0)
     pictures: list[Pictures] = []
     window.display.shown.connect(pictures.append)
     window.opening.begin(list(files))
@@ -253,8 +253,8 @@ def seen_in(pictures: list[Pictures]) -> set[int]:
 
 
 def test_drawing_is_given_up_where_something_else_is_wanted(apart: Content):
+    from app.drawing.renderer import Renderer, Tile
     from app.scene.scene import VIEWS, scene_of
-    from app.views.renderer import Renderer, Tile
 
     renderer = Renderer(VIEWS)
     renderer.apply(scene_of(apart, ViewState()))

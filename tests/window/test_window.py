@@ -12,8 +12,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from app.__main__ import main
+from app.look.numerals import with_unit
 from app.model.view_state import Heatmap
-from app.numbers import with_unit
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 

@@ -1,0 +1,31 @@
+"""Ties the table of chains to the views."""
+
+from PySide6.QtCore import QObject
+
+from app.controllers.display import Display
+from app.controllers.session import Session
+from app.jobs.comparing import Compared
+from app.panels.chains_panel import ChainsPanel
+from app.scene.chain_table import chain_box
+
+
+class Chains(QObject):
+    """A chosen chain stands out, and is flown to."""
+
+    def __init__(self, session: Session, display: Display, panel: ChainsPanel) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._panel = panel
+        panel.chosen.connect(self.fly_to)
+        session.compared.connect(self._show)
+
+    def fly_to(self, chain: int) -> None:
+        """Let one chain stand out, and look at it."""
+        content = self._display.content
+        if content is not None:
+            self._display.change(chain=chain)
+            self._display.look_at(*chain_box(content.comparison, content.geometry, chain))
+
+    def _show(self, result: Compared) -> None:
+        self._panel.show_chains(result.content.chains, self._session.unit)

@@ -1,0 +1,42 @@
+"""Ties the colours' range and the tolerances to their panel."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject
+
+from app.controllers.display import Display
+from app.controllers.session import Session
+from app.model.view_state import Scale
+from app.panels.scale_panel import ScalePanel
+from app.scene.distribution import fitting_limit
+
+
+class Scaling(QObject):
+    """What the user chooses of the scale; tolerances are the document's, the rest the view's."""
+
+    def __init__(self, session: Session, display: Display, panel: ScalePanel) -> None:
+        super().__init__()
+        self._session = session
+        self._display = display
+        self._panel = panel
+        panel.brushed.connect(lambda brush: display.change(brush=brush))
+        panel.changed.connect(self.choose)
+        panel.fit_asked.connect(self.fit)
+        display.changed.connect(self._show)
+        self._show()
+
+    def choose(self, scale: Scale) -> None:
+        """Put another scale in force."""
+        document = self._session.document
+        options = replace(document.options, tolerances=scale.tolerances)
+        self._session.set_document(replace(document, options=options), scale=scale)
+
+    def fit(self) -> None:
+        """Fit the range to the differences; it stays there afterwards."""
+        display = self._display
+        if display.content is not None:
+            limit = fitting_limit(display.content.distributions.absolute)
+            display.change(scale=replace(display.state.scale, limit=limit, pinned=True))
+
+    def _show(self) -> None:
+        self._panel.show_state(self._display.content, self._display.state, self._display.unit)

@@ -1,0 +1,1 @@
+"""Pictures of the views: the only importer of VTK."""

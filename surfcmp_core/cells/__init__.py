@@ -1,0 +1,1 @@
+"""Square cells over the plane, into which triangles are sorted."""

@@ -1,0 +1,1 @@
+"""Which colour a difference has, in the window and in every report."""

@@ -1,0 +1,1 @@
+"""The comparison itself, from two surfaces to its measures."""

@@ -1,0 +1,1 @@
+"""How the core compiles: kernels, their cache, strict arithmetic."""

@@ -1,0 +1,5 @@
+"""A surface: what it is, in which unit and axes, what of it counts."""
+
+from surfcmp_core.surface.surface import Surface
+
+__all__ = ["Surface"]
