@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.comparing.verification import check_united
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.spanning_tree import spanning_tree, tree_ends
 from surfcmp_core.triangulation import Triangulation, triangulate
 from surfcmp_core.united import United, unite
-from surfcmp_core.verification import check_united
 from tests.core import oracles
 from tests.pairs import Nodes, Pair
 

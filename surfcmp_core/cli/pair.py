@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.cli.ends import WrongUsage
 from surfcmp_core.comparing.comparison import Comparison, Domain
+from surfcmp_core.comparing.memory_needed import check_comparison
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import Duplicates
 from surfcmp_core.report import make_document
@@ -18,7 +19,6 @@ from surfcmp_core.report.record import Document
 from surfcmp_core.surface import Surface
 from surfcmp_core.surface.together import bring_together, carried
 from surfcmp_core.surface.used import used_part
-from surfcmp_core.system.memory import check_comparison
 from surfcmp_core.system.progress import Progress
 
 if TYPE_CHECKING:

@@ -9,7 +9,17 @@ from numpy.typing import NDArray
 from surfcmp_core.comparing.cautions import cautions, nothing_common
 from surfcmp_core.comparing.clock import Clock, at_once, both
 from surfcmp_core.comparing.comparison import Comparison, Domain, Options, Weight
+from surfcmp_core.comparing.memory_needed import check_comparison
 from surfcmp_core.comparing.side import Side, faces_of, footprint_of
+from surfcmp_core.comparing.verification import (
+    check_cover,
+    check_exchange,
+    check_measures,
+    check_sums,
+    check_united,
+    check_values,
+    keeping,
+)
 from surfcmp_core.comparing.warming import begin_to_compile
 from surfcmp_core.compiled.linear_algebra import composed
 from surfcmp_core.domain import Footprint, OwnFaces, Reason, reasons
@@ -25,19 +35,9 @@ from surfcmp_core.surface import Surface
 from surfcmp_core.surface.refusals import motion_of, refuse_pair, refuse_surface, weight_at
 from surfcmp_core.surface.together import bring_together, carried
 from surfcmp_core.surface.used import used_part
-from surfcmp_core.system.memory import check_comparison
 from surfcmp_core.system.progress import Progress, silent
 from surfcmp_core.triangulation import triangulate
 from surfcmp_core.united import United, unite
-from surfcmp_core.verification import (
-    check_cover,
-    check_exchange,
-    check_measures,
-    check_sums,
-    check_united,
-    check_values,
-    keeping,
-)
 
 
 def _explained(progress: Progress) -> Progress:
@@ -103,7 +103,7 @@ def compare(
         Motion of both surfaces into the plane of comparison, z along the view; in the same.
     verify : bool
         Check all that must hold of the result, not only what takes no time
-        (:mod:`surfcmp_core.verification`).
+        (:mod:`surfcmp_core.comparing.verification`).
     progress : callable
         Told the stage and the share done; may raise `Cancelled`.
     read_seconds : float

@@ -4,12 +4,7 @@ import sys
 from pathlib import Path
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.surface import Surface
 
-COMPARING = 350
-"""Bytes for each node of both surfaces, above the input: 300 measured on 0.3 and 1 M nodes."""
-EXACT = 100
-"""Bytes more for each node, for the exact reading."""
 SMALL = 256 << 20
 """Bytes: works that need less are not asked about."""
 _PROCESS_GROUPS = Path("/sys/fs/cgroup")
@@ -34,23 +29,6 @@ def need_memory(needed: float) -> None:
     free = free_memory()
     if needed > free:
         raise InputError(f"needs about {_large(needed)} of memory, {_large(free)} are free")
-
-
-def check_comparison(surface_1: Surface, surface_2: Surface, exact: bool) -> None:
-    """Refuse a comparison that memory does not suffice for.
-
-    Raises
-    ------
-    InputError
-        More is needed than is free.
-    """
-    nodes = len(surface_1.points) + len(surface_2.points)
-    each = COMPARING + (EXACT if exact else 0)
-    try:
-        need_memory(float(nodes) * each)
-    except InputError as fault:
-        files = " and ".join(str(one.path or one.name) for one in (surface_1, surface_2))
-        raise InputError(f"{files}: {fault}") from None
 
 
 def free_memory() -> float:

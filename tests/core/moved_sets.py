@@ -6,10 +6,10 @@ from fractions import Fraction
 import numpy as np
 
 from surfcmp_core import Surface, compare
+from surfcmp_core.comparing.verification import check_chains
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.triangulation import triangulate
-from surfcmp_core.verification import check_chains
 from tests.invariants import codes, ranks, same
 from tests.pairs import Nodes, distinct, is_flat
 

@@ -27,9 +27,9 @@ ORDER = (
     {"united"},
     {"domain"},
     {"measures"},
-    {"verification"},
     {"comparing"},
-    {"colours", "report"},
+    {"colours"},
+    {"report"},
     {"cli"},
 )
 """Each part may import those in the rows above it, and itself."""

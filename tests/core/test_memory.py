@@ -9,6 +9,7 @@ import pytest
 
 from app.__main__ import main
 from surfcmp_core import compare
+from surfcmp_core.comparing.memory_needed import COMPARING
 from surfcmp_core.errors import InputError
 from surfcmp_core.surface import Surface
 from surfcmp_core.system import memory
@@ -43,7 +44,7 @@ def test_what_fits_is_done() -> None:
 
 def test_exact_needs_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(memory, "SMALL", 0)
-    monkeypatch.setattr(memory, "free_memory", lambda: 800.0 * memory.COMPARING * 1.2)
+    monkeypatch.setattr(memory, "free_memory", lambda: 800.0 * COMPARING * 1.2)
     compare(grid(20, 0), grid(20, 1))
     with pytest.raises(InputError, match="needs about"):
         compare(grid(20, 0), grid(20, 1), exact=True)

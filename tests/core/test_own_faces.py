@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core import InputError, Surface, compare
+from surfcmp_core.comparing.verification import check_half_edges
 from surfcmp_core.domain import own_faces
 from surfcmp_core.localisation import locate_from, relocate
 from surfcmp_core.triangulation import Triangulation, triangulate
-from surfcmp_core.verification import check_half_edges
 from tests.core.test_measures_overlay import area_of, cut, exact, keep_left, linear, product_over
 
 Ints = NDArray[np.int32]

@@ -11,8 +11,8 @@ import pytest
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from surfcmp_core import Comparison, Surface, compare
+from surfcmp_core.comparing.verification import check_chains, check_half_edges, check_nodes
 from surfcmp_core.triangulation import triangulate
-from surfcmp_core.verification import check_chains, check_half_edges, check_nodes
 from tests.invariants import (
     Merged,
     check_delaunay,

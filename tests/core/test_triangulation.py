@@ -9,11 +9,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from surfcmp_core.comparing.verification import check_half_edges
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid import grid_of, safe_scale
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation, is_flat, triangulate
-from surfcmp_core.verification import check_half_edges
 from tests import pairs
 from tests.core import oracles
 from tests.core.node_sets import node_sets

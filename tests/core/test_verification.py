@@ -12,11 +12,7 @@ import pytest
 
 from app.__main__ import main
 from surfcmp_core import Comparison, Surface, compare
-from surfcmp_core.errors import InputError, Violation
-from surfcmp_core.triangulation import Triangulation
-from surfcmp_core.triangulation.half_edges import half_edges
-from surfcmp_core.united import United
-from surfcmp_core.verification import (
+from surfcmp_core.comparing.verification import (
     check_chains,
     check_cover,
     check_exchange,
@@ -27,6 +23,10 @@ from surfcmp_core.verification import (
     check_united,
     check_values,
 )
+from surfcmp_core.errors import InputError, Violation
+from surfcmp_core.triangulation import Triangulation
+from surfcmp_core.triangulation.half_edges import half_edges
+from surfcmp_core.united import United
 from tests.pairs import FAMILIES, Nodes, pair_of
 
 RUNNING = sys.modules[compare.__module__]

@@ -42,7 +42,7 @@ def _signatures(program: str) -> set[str]:
 def test_nothing_is_compiled_that_no_comparison_uses() -> None:
     later = _signatures(_LATER_STAGES)
     assert later <= _signatures(_COMPARISON)
-    for kernel in ("measure._pass", "localisation._locate_along_tree", "spacing._medians"):
+    for kernel in ("nodal._pass", "localisation._locate_along_tree", "spacing._medians"):
         assert any(f"{kernel} " in signature for signature in later)
 
 

@@ -15,13 +15,13 @@ import numpy as np
 from surfcmp_core import Comparison, InputError
 from surfcmp_core.cli.main import run
 from surfcmp_core.cli.pair import Settings, compare_files, compare_surfaces
+from surfcmp_core.comparing.verification import check_chains
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.io import read_surface
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.progress import silent
 from surfcmp_core.triangulation import triangulate
-from surfcmp_core.verification import check_chains
 from tests.fuzz.trials import Model, Trial
 from tests.fuzz.writing import write
 from tests.invariants import codes, ranks, same

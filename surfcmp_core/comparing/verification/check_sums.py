@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.comparing.comparison import Comparison
-from surfcmp_core.verification.holds import hold
+from surfcmp_core.comparing.verification.holds import hold
 
 _ROUNDING = 1e-9
 _EPSILON = 2.0**-53

@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.comparing.verification.holds import hold
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.measures.chunks import over_chunks
 from surfcmp_core.predicates import orientation
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.united import United
-from surfcmp_core.verification.holds import hold
 
 
 @kernel

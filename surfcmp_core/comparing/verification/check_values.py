@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.comparing.verification.holds import hold
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.localisation import locate_from
 from surfcmp_core.triangulation import Triangulation
-from surfcmp_core.verification.holds import hold
 
 _SOME = 200
 """Nodes of either grid that are asked about, evenly along the curve."""

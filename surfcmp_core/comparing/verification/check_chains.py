@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.comparing.verification.holds import hold
 from surfcmp_core.united import United
-from surfcmp_core.verification.holds import hold
 
 
 def check_chains(united: United) -> None:

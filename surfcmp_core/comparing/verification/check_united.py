@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.comparing.verification.check_chains import check_chains
+from surfcmp_core.comparing.verification.holds import hold
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import half_edges
 from surfcmp_core.triangulation.lawson import is_triangulation, make_delaunay
 from surfcmp_core.united import United
-from surfcmp_core.verification.check_chains import check_chains
-from surfcmp_core.verification.holds import hold
 
 
 def check_united(united: United, first: Triangulation, second: Triangulation) -> None:

@@ -4,8 +4,8 @@ import math
 from dataclasses import asdict, fields
 from itertools import pairwise
 
+from surfcmp_core.comparing.verification.holds import hold
 from surfcmp_core.measures import Measures
-from surfcmp_core.verification.holds import hold
 
 _ROUNDING = 1e-9
 """Share by which sums may be off that rounding has met in another order."""
