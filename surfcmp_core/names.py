@@ -1,4 +1,4 @@
-"""Names of files, as text that can be shown anywhere."""
+"""Names of files and what stands in them, as text that can be shown anywhere."""
 
 from pathlib import Path
 
@@ -18,3 +18,8 @@ def one_line(text: str | Path) -> str:
     """
     decoded = str(text).encode("utf-8", "surrogateescape").decode("utf-8", "replace")
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in decoded)
+
+
+def quoted(text: str, most: int = 40) -> str:
+    """Quote at most so many characters on one line."""
+    return repr(text if len(text) <= most else text[: most - 3] + "...")

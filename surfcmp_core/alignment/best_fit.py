@@ -93,7 +93,7 @@ def best_fit(
 
     for side in sides:
         if not side.extent > 0.0:
-            raise InputError(f"{side.name}: beside the other surface it is but one place")
+            raise InputError("beside the other surface it is but one place", where=(side.name,))
 
     def onto_finer(share: float) -> None:
         progress("align", share if not overlap_only else 0.5 + share / 2.0)

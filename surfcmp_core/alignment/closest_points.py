@@ -105,8 +105,9 @@ def closest_points(
         count = int(np.count_nonzero(inlier))
         if count < FEWEST:
             raise InputError(
-                f"{moving.name}: only {count} nodes find a partner on {fixed.name}; "
-                "bring the surfaces nearer by landmarks first"
+                f"only {count} nodes find a partner on {fixed.name}",
+                where=(moving.name,),
+                hints=("bring the surfaces nearer by landmarks first",),
             )
         if still or rounds == _ROUNDS:
             return Found(

@@ -134,7 +134,7 @@ def used_of(
         return used, None
     region = np.asarray(region)
     if region.dtype != np.bool_ or region.shape != (len(surface.points),):
-        raise InputError(f"{surface.name}: the region is not one bool for each node")
+        raise InputError("the region is not one bool for each node", where=(surface.name,))
     return used, region if used is surface else region[nodes_in_use(surface)]
 
 
@@ -142,7 +142,8 @@ def _may_be_used(surface: Surface, region: NDArray[np.bool_] | None) -> NDArray[
     may = np.ones(len(surface.points), bool) if region is None else region
     if np.count_nonzero(may) < FEWEST:
         raise InputError(
-            f"{surface.name}: {np.count_nonzero(may)} nodes to align; at least {FEWEST} are needed"
+            f"{np.count_nonzero(may)} nodes to align; at least {FEWEST} are needed",
+            where=(surface.name,),
         )
     return may
 

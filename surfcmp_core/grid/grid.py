@@ -114,8 +114,9 @@ def _merged_values(
     torn = int(np.count_nonzero(highest != lowest))
     if torn and duplicates == "refuse":
         raise InputError(
-            f"{name}: not one-valued: {torn} places (x, y) have nodes of different z "
-            "(choose what to do with --duplicates mean, max or min)"
+            f"not one-valued: {torn} places (x, y) have nodes of different z "
+            "(choose what to do with --duplicates mean, max or min)",
+            where=(name,),
         )
     if duplicates == "max":
         return highest
@@ -156,7 +157,7 @@ def grid_of(
     nodes = np.ascontiguousarray(surface.points[:, :2])
     z = surface.points[:, 2]
     if len(nodes) < 3:
-        raise InputError(f"{surface.name}: {len(nodes)} nodes; at least 3 are needed")
+        raise InputError(f"{len(nodes)} nodes; at least 3 are needed", where=(surface.name,))
     if box is None:
         box = box_of(surface)
     keys = curve_keys(nodes, box)
@@ -167,7 +168,8 @@ def grid_of(
     starts = starts[: _runs(nodes, keys, order, starts)]
     source = order[starts]
     if len(starts) < 3:
-        raise InputError(f"{surface.name}: {len(starts)} distinct nodes; at least 3 are needed")
+        fault = f"{len(starts)} distinct nodes; at least 3 are needed"
+        raise InputError(fault, where=(surface.name,))
     merged = len(nodes) - len(starts)
     values = _merged_values(z[order], starts, duplicates, surface.name) if merged else z[order]
     faces = None

@@ -34,7 +34,7 @@ def thin_random(surface: Surface, keep: float, *, seed: int = 0) -> Surface:
         `keep` out of range.
     """
     if not 0.0 < keep <= 1.0:
-        raise InputError(f"{surface.name}: cannot keep a share of {keep:g} of the nodes")
+        raise InputError(f"cannot keep a share of {keep:g} of the nodes", where=(surface.name,))
     n = len(surface.points)
     chosen = np.random.default_rng(seed).permutation(n)[: round(keep * n)]
     return _kept(surface, chosen)
@@ -65,7 +65,7 @@ def thin_to_spacing(surface: Surface, spacing: float, *, seed: int = 0) -> Surfa
         `spacing` is not positive and finite.
     """
     if not (np.isfinite(spacing) and spacing > 0.0):
-        raise InputError(f"{surface.name}: cannot thin to a spacing of {spacing:g}")
+        raise InputError(f"cannot thin to a spacing of {spacing:g}", where=(surface.name,))
     refuse_surface(surface)
     from_corner = surface.points - surface.points.min(axis=0)
     # cells at least a spacing wide, and no more of them along an axis than a key can count

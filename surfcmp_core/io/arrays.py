@@ -15,8 +15,8 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.stated_units import unit_named
-from surfcmp_core.io.text import quoted
 from surfcmp_core.io.unpacked import check_unpacked
+from surfcmp_core.names import quoted
 
 
 def read_npy(data: bytes) -> Raw:

@@ -20,7 +20,8 @@ from surfcmp_core.io.lead import MOST_COLUMNS, Lead, lead_of, split, splittings
 from surfcmp_core.io.notation import is_number, is_odd, numbers_in, refuse_thousands
 from surfcmp_core.io.raw import Raw
 from surfcmp_core.io.stated_units import unit_in
-from surfcmp_core.io.text import decode, filled_lines, quoted
+from surfcmp_core.io.text import decode, filled_lines
+from surfcmp_core.names import quoted
 
 _MOST_COMMENTS = 100
 _LONGEST_HEADER = 20_000
@@ -50,7 +51,7 @@ def read_columns(data: bytes, *, weights: bool = False) -> Raw:
     width = _filled(first)
     if not 3 <= width <= MOST_COLUMNS:
         number = "three columns or more" if width < 3 else f"at most {MOST_COLUMNS} columns"
-        raise InputError(f"{number} expected, {width} in the row {quoted(rows[0])}")
+        raise InputError(f"{number} expected, {width}", row=rows[0])
     heading = _heading(lead, rows, first, WEIGHTS if weights else HEIGHTS)
     sample = [split(row, lead.delimiter) for row in rows[:_SAMPLE]]
     wanted = list(heading.columns) if heading else _unnamed(sample)
@@ -97,7 +98,7 @@ def _heading(
             try:
                 found = heading_of(fields, below, heights)
             except InputError as fault:
-                raise InputError(f"{header} {fault}") from None
+                raise InputError(f"{header} {fault.fault}") from None
             if found is None:
                 if comment and count == width and axes_among(fields) > 1:
                     misfit = "does not name x, y and z once each"
@@ -187,7 +188,7 @@ def _numbers(
     for row in rows:
         fields = split(row, delimiter)
         if len(fields) != width:
-            raise InputError(f"{expected} in the row {quoted(row)}")
+            raise InputError(expected, row=row)
         for column, i in zip(columns, wanted, strict=True):
             column.append(fields[i])
     return numbers_in(columns, rows, expected)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.headings import are_units
 from surfcmp_core.io.notation import is_number
-from surfcmp_core.io.text import quoted
+from surfcmp_core.names import quoted
 
 _COMMENT = re.compile(r"\s*(?:#+|//+|%+)")
 _SEPARATOR = re.compile(r'"?sep=(.)"?', re.IGNORECASE)

@@ -37,10 +37,10 @@ def read_motion(path: Path) -> NDArray[np.float64]:
             rows = [line.partition("#")[0].split() for line in lines]
             matrix = np.array([[float(word) for word in row] for row in rows if row])
     except OSError as error:
-        raise InputError(f"{path}: {error.strerror or error}") from error
+        raise InputError(str(error.strerror or error), where=(str(path),)) from error
     except ValueError as error:
-        raise InputError(f"{path}: not a 4×4 matrix of numbers") from error
+        raise InputError("not a 4×4 matrix of numbers", where=(str(path),)) from error
     fault = fault_of_motion(matrix)
     if fault:
-        raise InputError(f"{path}: {fault}")
+        raise InputError(fault, where=(str(path),))
     return matrix

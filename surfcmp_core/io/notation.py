@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.io.text import quoted
 
 _BLANKS = "\u00a0\u2007\u2009\u202f"
 """Blanks that no line is broken at; between digits they part thousands, never columns."""
@@ -81,12 +80,9 @@ def numbers_in(
         elif first[wrong] >= first[farthest]:
             farthest = wrong
     if not fitting:
-        where = f"in the row {quoted(rows[first[farthest]])}"
         if is_number(farthest):
-            raise InputError(
-                f"{farthest!r} is written in another way than the numbers before it {where}"
-            )
-        raise InputError(f"{expected} {where}")
+            expected = f"{farthest!r} is written in another way than the numbers before it"
+        raise InputError(expected, row=rows[first[farthest]])
 
     without = [notation for notation in fitting if not notation[0]]
     chosen, *others = without[:1] or fitting
@@ -157,4 +153,4 @@ def _value(text: str, between: str, decimal: str) -> float:
 
 
 def _undecided(field: str, row: str) -> InputError:
-    return InputError(f"{field!r} may be thousands or decimals in the row {quoted(row)}")
+    return InputError(f"{field!r} may be thousands or decimals", row=row)

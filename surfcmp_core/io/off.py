@@ -10,7 +10,8 @@ import numpy as np
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import from_rows
 from surfcmp_core.io.raw import Raw
-from surfcmp_core.io.text import decode, quoted, table
+from surfcmp_core.io.text import decode, table
+from surfcmp_core.names import quoted
 
 _HEAD = re.compile(r"\s*((?:ST|st|C|c|N|n|4)*)(?:OFF|off)(?![A-Za-z])[ \t]*")
 _DIMENSIONS = re.compile("4|n")

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons, from_rows
 from surfcmp_core.io.raw import Raw
-from surfcmp_core.io.text import decode, quoted, table
+from surfcmp_core.io.text import decode, table
+from surfcmp_core.names import quoted
 
 _TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",

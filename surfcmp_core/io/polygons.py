@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
-from surfcmp_core.io.text import quoted, table
+from surfcmp_core.io.text import table
 
 Polygons = list[NDArray[np.integer]]
 """Grouped by size: each (k, c) node numbers, k polygons of c corners."""
@@ -52,7 +52,7 @@ def from_rows(rows: Sequence[str], skip: int = 0) -> Polygons:
     polygons: Polygons = []
     for size, group in groups.items():
         if not (size.isascii() and size.isdecimal()) or int(size[:18]) > len(group[0]):
-            raise InputError(f"a polygon expected in the row {quoted(group[0])}")
+            raise InputError("a polygon expected", row=group[0])
         polygons.append(table(group, range(skip + 1, skip + 1 + int(size)), np.int64))
     return polygons
 

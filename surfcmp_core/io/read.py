@@ -107,15 +107,15 @@ def read_surface(
                 reader = partial(read_columns, weights=True)
             surface = _surface(marked(reader(data), no_data), unit)
     except InputError as error:
-        raise InputError(f"{path}: {error}{_mistaken(path, data)}") from None
+        raise error.at(str(path)).with_hints(*_mistaken(path, data)) from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        raise InputError(f"cannot be read: {error.strerror}", where=(str(path),)) from None
     except MemoryError:
-        raise InputError(f"{path}: not enough memory to read it") from None
+        raise InputError("not enough memory to read it", where=(str(path),)) from None
     except Exception as error:  # what damage makes a reader meet is not foreseeable
         told = " ".join(str(error).split())[:120]
         fault = f"damaged or not a {path.suffix} file ({told})"
-        raise InputError(f"{path}: {fault}{_mistaken(path, data)}") from error
+        raise InputError(fault, where=(str(path),), hints=_mistaken(path, data)) from error
     return replace(surface, name=path.name, path=path, sha256=sha256.result())
 
 
@@ -127,11 +127,11 @@ def _surface(raw: Raw, unit: str | None) -> Surface:
     return replace(surface, faces=faces, dropped=raw.dropped, changed=changed)
 
 
-def _mistaken(path: Path, data: bytes) -> str:
+def _mistaken(path: Path, data: bytes) -> tuple[str, ...]:
     """Say what a file that could not be read looks like, where that is not what its name says."""
     like = looks_like(data)
     own = path.suffix.lower()
-    return "" if like is None or own in like else f"; it looks like {like}"
+    return () if like is None or own in like else (f"it looks like {like}",)
 
 
 def _sha256(data: bytes) -> str:

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from surfcmp_core.io.text import quoted
+from surfcmp_core.names import quoted
 
 _STATEMENT = re.compile(
     r"\b(?:space|coordinate[ _-]?system)\s*[=:]+\s*(?P<name>[a-z]{3}\b|\w+-\w+-\w+)", re.IGNORECASE

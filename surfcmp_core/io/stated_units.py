@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from surfcmp_core.io.text import quoted
+from surfcmp_core.names import quoted
 from surfcmp_core.surface.units import SIZES, name_of
 
 _NAMES = {

@@ -81,9 +81,4 @@ def load(rows: Sequence[str], dtype: DTypeLike, expected: str, **options: Any) -
                 first = middle
             except ValueError:
                 last = middle
-    raise InputError(f"{expected} in the row {quoted(rows[first])}")
-
-
-def quoted(text: str, most: int = 40) -> str:
-    """Quote at most so many characters on one line."""
-    return repr(text if len(text) <= most else text[: most - 3] + "...")
+    raise InputError(expected, row=rows[first])

@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons, from_ranges, from_strips, ranges_in_stream
 from surfcmp_core.io.raw import Raw
-from surfcmp_core.io.text import decode, quoted
+from surfcmp_core.io.text import decode
+from surfcmp_core.names import quoted
 
 _TYPES = {
     "char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2", "int": "i4",

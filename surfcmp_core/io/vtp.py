@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from surfcmp_core.errors import InputError
 from surfcmp_core.io.polygons import Polygons, from_ranges, from_strips
 from surfcmp_core.io.raw import Raw
-from surfcmp_core.io.text import decode, quoted
+from surfcmp_core.io.text import decode
 from surfcmp_core.io.unpacked import check_unpacked
+from surfcmp_core.names import quoted
 
 _TYPES = {
     "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",

@@ -106,8 +106,8 @@ def _normal_of_clouds(surfaces: tuple[Surface, ...]) -> NDArray[np.float64]:
             spread += moments(places, np.full(len(places), scale * scale / len(places)))
     values, vectors = eigen(spread)
     if not values[1] > 1e-12 * values[2]:
-        names = " and ".join(s.name for s in surfaces)
-        raise InputError(f"{names}: no viewing direction, the nodes lie on one line")
+        fault = "no viewing direction, the nodes lie on one line"
+        raise InputError(fault, where=[surface.name for surface in surfaces])
     normal = vectors[:, 0]
     return _straight(normal if _is_upward(normal) else -normal)
 

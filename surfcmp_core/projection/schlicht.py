@@ -84,7 +84,7 @@ def schlicht_part(
     drop_islands(faces, area, island, own, fate)
     border = border_of(faces, fate, len(nodes))
     if not len(border):
-        raise InputError(f"{surface.name}: no triangle faces the viewer")
+        raise InputError("no triangle faces the viewer", where=(surface.name,))
     cells = cells_over(nodes, border, int(np.count_nonzero(fate == Fate.KEPT)))
     above = room + _ROUNDED * float(np.abs(z).max())
     hide(nodes, z, faces, cells, fate, backs, room * scale, above)
@@ -268,7 +268,7 @@ def _part(
     areas = np.zeros(len(Fate))
     _tally(faces, fate, area, of_node, triangles, areas)
     if not triangles[Fate.KEPT]:
-        raise InputError(f"{surface.name}: no triangle faces the viewer")
+        raise InputError("no triangle faces the viewer", where=(surface.name,))
     kept = np.flatnonzero(of_node == _IN_USE)
     lost = len(faces) - int(triangles[Fate.KEPT])
     new_faces, gone, why = faces, np.empty((lost, 3), np.int32), np.empty(lost, np.uint8)

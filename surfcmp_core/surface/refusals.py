@@ -36,15 +36,15 @@ def refuse_surface(surface: Surface, largest: float = LARGEST) -> None:
     InputError
         Points that are not (n, 3) such numbers; faces that name no node.
     """
-    points, faces, name = surface.points, surface.faces, surface.name
+    points, faces, where = surface.points, surface.faces, (surface.name,)
     if not isinstance(points, np.ndarray) or points.dtype != np.float64:
-        raise InputError(f"{name}: points are not an array of float64")
+        raise InputError("points are not an array of float64", where=where)
     if points.ndim != 2 or points.shape[1] != 3:
-        raise InputError(f"{name}: points of shape {points.shape}; (n, 3) is needed: x, y, z")
+        raise InputError(f"points of shape {points.shape}; (n, 3) is needed: x, y, z", where=where)
     if faces is not None and (
         faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu"
     ):
-        raise InputError(f"{name}: faces are not (m, 3) whole numbers")
+        raise InputError("faces are not (m, 3) whole numbers", where=where)
     used = used_nodes(surface)
     if not points.size:
         return
@@ -59,10 +59,11 @@ def refuse_surface(surface: Surface, largest: float = LARGEST) -> None:
         axis = int(np.argmax(bad.any(axis=0)))
         first = points[:, axis][bad[:, axis]][0]
         raise InputError(
-            f"{name}: {int(bad.any(axis=1).sum())} of {len(points)} nodes have coordinates that "
+            f"{int(bad.any(axis=1).sum())} of {len(points)} nodes have coordinates that "
             f"are no numbers below {largest:.3g} and give no distances or areas, "
-            f"the first {'xyz'[axis]} = {first:.6g}; if it stands for no data, leave those "
-            "nodes out"
+            f"the first {'xyz'[axis]} = {first:.6g}",
+            where=where,
+            hints=("if it stands for no data, leave those nodes out",),
         )
 
 
@@ -78,7 +79,7 @@ def refuse_pair(first: Surface, second: Surface) -> None:
     ------
     InputError
     """
-    names = f"{first.name} and {second.name}"
+    names = first.name, second.name
     low, high = (
         pick([pick(surface.points, axis=0) for surface in (first, second)], axis=0)
         for pick in (np.min, np.max)
@@ -86,11 +87,11 @@ def refuse_pair(first: Surface, second: Surface) -> None:
     largest = float(np.abs([low, high])[:, :2].max())
     if not largest > SMALLEST:
         raise InputError(
-            f"{names}: coordinates x, y up to {largest:.3g} are too small to give areas"
+            f"coordinates x, y up to {largest:.3g} are too small to give areas", where=names
         )
     if np.frexp(np.maximum(high - low, SMALLEST))[1].sum() > _MOST_OF_VOLUMES:
         extents = " by ".join(map("{:.3g}".format, high - low))
-        raise InputError(f"{names}: extents of {extents} are too large to give volumes")
+        raise InputError(f"extents of {extents} are too large to give volumes", where=names)
 
 
 def fault_of_motion(matrix: NDArray[np.float64]) -> str:

@@ -73,7 +73,7 @@ def check_together(first: Surface, second: Surface) -> None:
     """
     for one, two in ((first.unit, second.unit), (first.space, second.space)):
         if one and two and one != two:
-            raise InputError(_unlike(first, second, one, two))
+            raise _unlike(second, one, two)
 
 
 def carried(motion: NDArray[np.float64], scale: Fraction, turned: bool) -> NDArray[np.float64]:
@@ -110,9 +110,9 @@ def _in_one_unit(
             return (first, second), ()
         if first.georeferenced and second.georeferenced:
             remedy = "bring both into one reference system"
-            raise InputError(_unlike(first, second, first.unit, second.unit, remedy))
+            raise _unlike(second, first.unit, second.unit).with_hints(remedy)
         if not {first.unit, second.unit} <= set(SIZES):
-            raise InputError(_unlike(first, second, first.unit, second.unit))
+            raise _unlike(second, first.unit, second.unit)
         unit = "m" if {first.unit, second.unit} <= _SURVEYS else ASSUMED
         return (
             converted(first, SIZES[first.unit], unit),
@@ -165,6 +165,6 @@ def _in_lps(surface: Surface) -> Surface:
     )
 
 
-def _unlike(first: Surface, second: Surface, one: str, two: str, remedy: str = "") -> str:
-    told = f"{second.path or second.name}: is in {two}, but the other surface in {one}"
-    return f"{told}; {remedy}" if remedy else told
+def _unlike(second: Surface, one: str, two: str) -> InputError:
+    fault = f"is in {two}, but the other surface in {one}"
+    return InputError(fault, where=(str(second.path or second.name),))

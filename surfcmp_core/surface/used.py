@@ -88,7 +88,7 @@ def used_nodes(surface: Surface) -> NDArray[np.bool_] | None:
     if faces.min() < 0 or faces.max() >= n:
         odd = int(faces.min() if faces.min() < 0 else faces.max())
         raise InputError(
-            f"{surface.name}: a triangle names node {odd}, but the nodes are 0 to {n - 1}"
+            f"a triangle names node {odd}, but the nodes are 0 to {n - 1}", where=(surface.name,)
         )
     used = np.zeros(n, np.bool_)
     used[faces.ravel()] = True

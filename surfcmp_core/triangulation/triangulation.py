@@ -118,12 +118,12 @@ def triangulate(
         if found is not None:
             return found
     if is_flat(nodes):
-        raise InputError(f"{name}: all nodes lie on one line in the plane")
+        raise InputError("all nodes lie on one line in the plane", where=(name,))
     for builder in (_delaunay, _slow_delaunay):
         found = _checked(nodes, builder(nodes))
         if found is not None:
             return found
-    raise InputError(f"{name}: no library triangulates these nodes correctly")
+    raise InputError("no library triangulates these nodes correctly", where=(name,))
 
 
 def is_flat(nodes: NDArray[np.float64]) -> bool:

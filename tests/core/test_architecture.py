@@ -14,7 +14,8 @@ FOREIGN = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", 
 FOREIGN |= {"superqt", "qtpy", "app", "matplotlib.pyplot"}
 
 ORDER = (
-    {"errors", "names"},
+    {"names"},
+    {"errors"},
     {"compiled", "system"},
     {"predicates", "surface"},
     {"cells", "grid", "io"},
