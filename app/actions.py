@@ -141,6 +141,7 @@ class Actions(QObject):
             Change.PROBES: self.tr("label"),
             Change.SECTION: self.tr("section"),
             Change.LANDMARKS: self.tr("landmark"),
+            Change.VIEW: self.tr("view"),
         }
 
     def stop(self) -> None:

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,7 +52,6 @@ class Alignment(QObject):
         self.runner.finished.connect(self._move)
         self.runner.failed.connect(telling.tell)
         self._before: Measures | None = None
-        self._paths: tuple[Path | None, Path | None] = (None, None)
         panel.tool_asked.connect(display.use)
         panel.fit_asked.connect(self.best_fit)
         panel.landmarks_asked.connect(self.fit_landmarks)
@@ -177,9 +175,6 @@ class Alignment(QObject):
     def _compared(self, result: Compared) -> None:
         if result.document.motion == NOT_MOVED:
             self._before = None
-        if result.document.paths != self._paths:  # landmarks belong to their files
-            self._paths = result.document.paths
-            self._display.change(landmarks=())
         self._show_landmarks()
         self._show()
 

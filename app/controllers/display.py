@@ -14,7 +14,7 @@ from app.drawing.studio import Pictures, Print, Studio, Wish
 from app.look.numerals import short
 from app.look.theme import theme
 from app.model.tool import Tool
-from app.model.view_state import Place, Scale, ViewState
+from app.model.view_state import Of, Place, Scale, ViewState
 from app.scene.camera import Camera, between, home, showing
 from app.scene.content import Content
 from app.scene.pick import (
@@ -111,9 +111,7 @@ class Display(QObject):
         self.unit = unit
         self.state = replace(self.state, scale=scale)
         if old is None or old.geometry is not content.geometry:
-            nothing = ViewState()
-            names = ("picked", "probes", "chain", "brush", "section")
-            self.state = replace(self.state, **{name: getattr(nothing, name) for name in names})
+            self.state = self.state.without(Of.PLACES)
         if old is None or not _alike(old, content):
             self._flight.stop()
             self._camera = home(content.geometry, self._aspect(), self.state.relief)
@@ -122,7 +120,10 @@ class Display(QObject):
 
     def change(self, **changes: Any) -> None:
         """Replace fields of the view state."""
-        state = replace(self.state, **changes)
+        self.show(replace(self.state, **changes))
+
+    def show(self, state: ViewState) -> None:
+        """Put another view state in force."""
         if state == self.state:
             return
         old, self.state = self.state, state

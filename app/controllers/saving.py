@@ -135,7 +135,7 @@ class Sessions(QObject):
         camera = None
         if opened.camera is not None:
             focus, back, up, (height,) = opened.camera
-            camera = Camera(_three(focus), _three(back), _three(up), height)
+            camera = Camera(focus, back, up, height)
         self._session.restore(opened.document, opened.state, camera)
 
     def _ask_for_scan(self, path: Path, fault: Fault) -> None:
@@ -186,8 +186,3 @@ class Sessions(QObject):
             return "", ""
         one, two = (surface.sha256 for surface in shown.comparison.surfaces)
         return one, two
-
-
-def _three(numbers: tuple[float, ...]) -> tuple[float, float, float]:
-    x, y, z = numbers
-    return x, y, z

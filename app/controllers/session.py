@@ -13,7 +13,7 @@ from app.jobs.comparing import Compared, compared
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.history import History, Step
-from app.model.view_state import KEPT, Scale, ViewState
+from app.model.view_state import Kept, Of, Scale, ViewState
 from app.scene.camera import Camera
 from app.scene.distribution import fitting_limit
 from surfcmp_core.report.record import unit_of
@@ -82,13 +82,13 @@ class Session(QObject):
         old = self.history.current
         kept = replace(old.view, **view)
         if not document.same_places(old.document):
-            kept = replace(kept, probes=(), section=None)
+            kept = kept.without(Of.PLACES)
         if document.paths != old.document.paths:
-            kept, self._restores = replace(kept, landmarks=()), False
+            kept, self._restores = kept.without(Of.FILES), False
         if document == old.document:
             self._display.change(**view)
         elif self._push(Step(document, kept)):
-            self._follow(view)
+            self._follow(replace(self._display.state, **view))
             self._run()
 
     def restore(self, document: Document, state: ViewState, camera: Camera | None = None) -> None:
@@ -117,13 +117,8 @@ class Session(QObject):
     def _keep_view(self) -> None:
         """Make a step of what changed in the view."""
         old, self._view = self._view, self._display.state.kept
-        changes = {
-            name: getattr(self._view, name)
-            for name in KEPT
-            if getattr(self._view, name) != getattr(old, name)
-        }
         step = self.history.current
-        view = replace(step.view, **changes)
+        view = step.view.changed_as(old, self._view)
         if self._follows:
             self.history.amend(view)
         elif self._push(replace(step, view=view)):
@@ -142,10 +137,12 @@ class Session(QObject):
         self.changed.emit()
 
     def _finish(self, result: Compared) -> None:
-        self.shown = result
+        before, self.shown = self.shown, result
         self.history.begin()
         view = self.history.current.view
         self._follows = True
+        if before is not None and before.document.paths != result.document.paths:
+            self._display.show(self._display.state.without(Of.FILES))
         self.compared.emit(result)
         self._display.set_content(result.content, self.unit, self._scale_of(result))
         if self._restores:
@@ -162,23 +159,22 @@ class Session(QObject):
         self._fitted = result.document.paths
         return scale
 
-    def _restore(self, view: ViewState) -> None:
+    def _restore(self, view: Kept) -> None:
         """Look at what is shown as its step says."""
-        state, camera = self._loaded or (self._display.state, None)
-        state = replace(state, **{name: getattr(view, name) for name in KEPT})
+        now = self._display.state
+        state, camera = self._loaded or (now, None)
         self._loaded, self._restores = None, False
+        state = state.keeping(view).in_window_of(now)
         if self.shown is not None:
             state = state.within(len(self.shown.comparison.united.triangles))
-        changes = {name: getattr(state, name) for name in ViewState.__slots__}
-        del changes["dark"], changes["filled"]
-        self._follow(changes)
+        self._follow(state)
         if camera is not None:
             self._display.fly(camera)
 
-    def _follow(self, changes: dict[str, Any]) -> None:
+    def _follow(self, state: ViewState) -> None:
         """Change the view as a part of the current step."""
         follows, self._follows = self._follows, True
-        self._display.change(**changes)
+        self._display.show(state)
         self._follows = follows
 
     def _fail(self, message: str) -> None:
@@ -193,8 +189,7 @@ class Session(QObject):
         else:
             document = self.shown.document
             self.history.go_to(document)
-            scale = self._display.state.scale
-            tolerances = document.options.tolerances
-            self._follow({"scale": replace(scale, tolerances=tolerances)})
+            state, tolerances = self._display.state, document.options.tolerances
+            self._follow(replace(state, scale=replace(state.scale, tolerances=tolerances)))
             self._push(Step(document, self._display.state.kept))
         self.changed.emit()

@@ -1,10 +1,10 @@
 """Undo and redo: what was compared and how it was looked at, step by step."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 
 from app.model.document import Document
-from app.model.view_state import ViewState
+from app.model.view_state import Kept
 
 MOST_STEPS = 300
 
@@ -21,19 +21,22 @@ class Change(StrEnum):
     REGION_COLOUR = "region colour"
     REGION_WEIGHT = "region weight"
     SCALE = "scale"
+    # fields of `Kept`, by their names
     HEATMAP = "heatmap"
     EDGES = "edges"
     PROBES = "probes"
     SECTION = "section"
     LANDMARKS = "landmarks"
+    VIEW = "view"
+    """A field of `Kept` that has no name here."""
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A document, and the part of the view that undo brings back (`ViewState.kept`)."""
+    """A document, and the part of the view that undo brings back."""
 
     document: Document
-    view: ViewState
+    view: Kept
 
 
 def change_between(old: Step, new: Step) -> Change:
@@ -49,15 +52,9 @@ def change_between(old: Step, new: Step) -> Change:
         return Change.OPTIONS
     if old.view.scale != new.view.scale or one != two:
         return Change.SCALE
-    for name, change in (
-        ("heatmap", Change.HEATMAP),
-        ("edges", Change.EDGES),
-        ("probes", Change.PROBES),
-        ("section", Change.SECTION),
-    ):
-        if getattr(old.view, name) != getattr(new.view, name):
-            return change
-    return Change.LANDMARKS
+    names = [part.name for part in fields(Kept)]
+    name = next(name for name in names if getattr(old.view, name) != getattr(new.view, name))
+    return Change(name) if name in Change else Change.VIEW
 
 
 def _region_change(one: Document, two: Document) -> Change:
@@ -122,7 +119,7 @@ class History:
         self._index = len(self._steps) - 1
         return True
 
-    def amend(self, view: ViewState) -> None:
+    def amend(self, view: Kept) -> None:
         """Replace the view of the current step: it follows from its document."""
         self._steps[self._index] = replace(self.current, view=view)
 

@@ -2,14 +2,14 @@
 
 import json
 import os
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from app.model.document import FIT_KEYS, Document, Motion
-from app.model.landmark import Pair
-from app.model.region import Region, Stroke
-from app.model.view_state import Heatmap, Place, Scale, ViewState
+from app.model.plain import read
+from app.model.region import Region
+from app.model.view_state import ViewState
 from surfcmp_core.comparing.comparison import Options
 from surfcmp_core.errors import InputError
 from surfcmp_core.system.whole_files import write_all
@@ -20,8 +20,12 @@ VERSION = 2
 ENDING = ".surfcmp"
 
 
-Eye = tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...], tuple[float]]
+Three = tuple[float, float, float]
+Eye = tuple[Three, Three, Three, tuple[float]]
 """Of a camera: x, y, z of its focus, of the way back to the eye, of upwards; its height."""
+
+FAULTS = (ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError)
+"""What data of another kind leads to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +90,7 @@ def to_text(
             "unit": document.unit,
             "project": document.project,
             "regions": [asdict(region) for region in document.regions],
-            "view": {**asdict(state), "filled": None},
+            "view": asdict(state.saved),
             "camera": camera,
         },
         indent=1,
@@ -110,14 +114,15 @@ def from_text(text: str, folder: Path, name: str) -> Saved:
         one, two = (_scan(given, folder) for given in data["inputs"])
         document = Document(
             paths=(one.places[0] if one else None, two.places[0] if two else None),
-            options=Options(**_tuples(data["options"])),
+            options=read(Options, data["options"]),
             motion=_motion(data["motion"]),
             unit=str(data["unit"]),
             project=str(data["project"]),
             regions=tuple(_region(region) for region in data["regions"]),
         )
-        return Saved(document, _state(data["view"]), (one, two), _eye(data.get("camera")))
-    except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
+        state = read(ViewState, data["view"])
+        return Saved(document, state, (one, two), _eye(data.get("camera")))
+    except FAULTS as error:
         raise InputError(f"{name}: not a session of this program ({error})") from error
 
 
@@ -136,7 +141,7 @@ def regions_from(text: str, name: str) -> tuple[Region, ...]:
     """
     try:
         return tuple(_region(region) for region in json.loads(text))
-    except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
+    except FAULTS as error:
         raise InputError(f"{name}: no regions ({error})") from error
 
 
@@ -156,7 +161,7 @@ def _put(text: str, stream: BinaryIO) -> None:
 
 
 def _motion(data: dict[str, Any]) -> Motion:
-    motion = Motion(**_tuples(data))
+    motion: Motion = read(Motion, data)
     if motion.fit:
         rest = dict(motion.fit)
         words = (*rest.pop("free"), *rest.pop("doubts"))
@@ -171,39 +176,22 @@ def _motion(data: dict[str, Any]) -> Motion:
 
 
 def _region(data: dict[str, Any]) -> Region:
-    fields = _tuples(data)
-    strokes = [Stroke(**stroke) for stroke in fields.pop("strokes", ())]
-    strokes += [Stroke(path) for path in fields.pop("polygons", ())]  # version 1
-    strokes += [Stroke(((x, y),), radius) for x, y, radius in fields.pop("discs", ())]
-    for stroke in strokes:
-        numbers = [float(number) for place in stroke.path for number in place]
-        if not numbers or len(numbers) != 2 * len(stroke.path) or not stroke.radius >= 0:
-            raise ValueError("a stroke without places")
-    red, green, blue = fields["colour"]
-    colour = int(red), int(green), int(blue)
-    return Region(str(fields["name"]), colour, float(fields["weight"]), tuple(strokes))
-
-
-def _state(data: dict[str, Any]) -> ViewState:
-    fields = _tuples(data)
-    picked = fields["picked"]
-    return replace(
-        ViewState(**fields),
-        heatmap=Heatmap(fields["heatmap"]),
-        scale=Scale(**fields["scale"]),
-        picked=None if picked is None else Place(**picked),
-        probes=tuple(Place(**place) for place in fields["probes"]),
-        landmarks=tuple(Pair(**pair) for pair in fields.get("landmarks", ())),
-    )
+    first = {"polygons", "discs"}  # of version 1
+    strokes = [*data.get("strokes", ())]
+    strokes += [{"path": path} for path in data.get("polygons", ())]
+    strokes += [{"path": [(x, y)], "radius": radius} for x, y, radius in data.get("discs", ())]
+    rest = {name: part for name, part in data.items() if name not in first}
+    region: Region = read(Region, rest | {"strokes": strokes})
+    if not all(stroke.path and stroke.radius >= 0 for stroke in region.strokes):
+        raise ValueError("a stroke without places")
+    return region
 
 
 def _eye(given: Any) -> Eye | None:
-    if given is None:
-        return None
-    focus, back, up, (height,) = (tuple(float(x) for x in part) for part in given)
-    if not (len(focus) == len(back) == len(up) == 3 and height > 0):
+    eye: Eye | None = read(Eye | None, given)
+    if eye is not None and not eye[3][0] > 0:
         raise ValueError("a camera of another kind")
-    return focus, back, up, (height,)
+    return eye
 
 
 def _scan(given: dict[str, str] | None, folder: Path) -> Scan | None:
@@ -220,12 +208,3 @@ def _beside(path: Path, folder: Path) -> str:
         return os.path.relpath(path, folder)
     except ValueError:  # on another drive
         return path.name
-
-
-def _tuples(value: Any) -> Any:
-    """Return JSON's lists as tuples, all the way down."""
-    if isinstance(value, list):
-        return tuple(_tuples(inner) for inner in value)
-    if isinstance(value, dict):
-        return {key: _tuples(inner) for key, inner in value.items()}
-    return value

@@ -1,7 +1,12 @@
-"""How the comparison is looked at; nothing here changes a number."""
+"""How the comparison is looked at; nothing here changes a number.
 
-from dataclasses import dataclass, replace
-from enum import StrEnum
+A field of `Kept` is a step of the history, one of `ViewState` passes; both are saved with the
+session, by name and type. What a field says of itself where it is declared is all there is to it.
+"""
+
+from dataclasses import dataclass, field, fields, replace
+from enum import Enum, StrEnum
+from typing import Self
 
 from app.model.landmark import Pair
 
@@ -52,44 +57,87 @@ class Place:
     weights: tuple[float, float, float]
 
 
-KEPT = ("heatmap", "scale", "edges", "probes", "section", "landmarks")
-"""Fields of `ViewState` that are steps of the history; the others pass, as the camera does."""
+class Of(Enum):
+    """What a field belongs to: with another one of these it is as at first."""
+
+    PLACES = "places"
+    """The triangles of one T."""
+    FILES = "files"
+    WINDOW = "window"
+    """It stays with the window whatever is opened."""
+
+
+_PLACES, _FILES, _WINDOW = ({"of": owner} for owner in (Of.PLACES, Of.FILES, Of.WINDOW))
 
 
 @dataclass(frozen=True, slots=True)
-class ViewState:
-    """What the four views show."""
+class Kept:
+    """What undo and redo bring back: each change of it is a step of the history."""
 
-    relief: bool = True
     heatmap: Heatmap = Heatmap.SIGNED
     scale: Scale = Scale()
     edges: bool = True
-    filled: int | None = None
-    """The view (0 to 3) that has the window to itself."""
-    picked: Place | None = None
-    """The place on T shown in all views."""
-    probes: tuple[Place, ...] = ()
+    probes: tuple[Place, ...] = field(default=(), metadata=_PLACES)
     """Places whose labels stay."""
-    chain: int | None = None
-    """The chain that stands out from the others."""
-    brush: tuple[float, float] | None = None
-    """The range of differences that stands out; the others fade."""
-    section: tuple[float, float, float, float] | None = None
+    section: tuple[float, float, float, float] | None = field(default=None, metadata=_PLACES)
     """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
-    landmarks: tuple[Pair, ...] = ()
-    dark: bool = False
+    landmarks: tuple[Pair, ...] = field(default=(), metadata=_FILES)
+
+    def without(self, owner: Of) -> Self:
+        """Return the same with what belongs to `owner` as at first."""
+        first = type(self)()
+        mine = [part.name for part in fields(self) if part.metadata.get("of") is owner]
+        return replace(self, **{name: getattr(first, name) for name in mine})
+
+    def changed_as(self, old: "Kept", new: "Kept") -> Self:
+        """Return the same with what `new` has in another way than `old` as `new` has it."""
+        pairs = {part.name: (getattr(old, part.name), getattr(new, part.name)) for part in _KEPT}
+        return replace(self, **{name: two for name, (one, two) in pairs.items() if one != two})
+
+
+_KEPT = fields(Kept)
+
+
+@dataclass(frozen=True, slots=True)
+class ViewState(Kept):
+    """What the four views show: what is kept, and what passes as the camera does."""
+
+    relief: bool = True
+    filled: int | None = field(default=None, metadata=_WINDOW)
+    """The view (0 to 3) that has the window to itself."""
+    picked: Place | None = field(default=None, metadata=_PLACES)
+    """The place on T shown in all views."""
+    chain: int | None = field(default=None, metadata=_PLACES)
+    """The chain that stands out from the others."""
+    brush: tuple[float, float] | None = field(default=None, metadata=_PLACES)
+    """The range of differences that stands out; the others fade."""
+    dark: bool = field(default=False, metadata=_WINDOW)
 
     @property
-    def kept(self) -> "ViewState":
-        """The state that undo and redo bring back; all else is as at first."""
-        return ViewState(**{name: getattr(self, name) for name in KEPT})
+    def kept(self) -> Kept:
+        """The part that undo and redo bring back."""
+        return Kept(**{part.name: getattr(self, part.name) for part in _KEPT})
+
+    def keeping(self, kept: Kept) -> Self:
+        """Return the state with another part that undo and redo bring back."""
+        return replace(self, **{part.name: getattr(kept, part.name) for part in _KEPT})
+
+    def in_window_of(self, other: "ViewState") -> Self:
+        """Return the state in the window that shows `other`."""
+        mine = [part.name for part in fields(self) if part.metadata.get("of") is Of.WINDOW]
+        return replace(self, **{name: getattr(other, name) for name in mine})
 
     @property
-    def drawn(self) -> "ViewState":
+    def saved(self) -> Self:
+        """The state as a session keeps it."""
+        return replace(self, filled=None)
+
+    @property
+    def drawn(self) -> Self:
         """The state without what is laid over the pictures and not drawn in them."""
         return replace(self, picked=None, probes=(), filled=None, landmarks=())
 
-    def within(self, triangles: int) -> "ViewState":
+    def within(self, triangles: int) -> Self:
         """Return the state without places on triangles that T, with so many, does not have."""
         there = tuple(place for place in self.probes if place.triangle < triangles)
         picked = self.picked

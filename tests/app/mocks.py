@@ -34,7 +34,9 @@ class MockDisplay(QObject):
         self.brush = 0.0
 
     def change(self, **changes: Any) -> None:
-        state = replace(self.state, **changes)
+        self.show(replace(self.state, **changes))
+
+    def show(self, state: ViewState) -> None:
         if state != self.state:
             self.state = state
             self.changed.emit()

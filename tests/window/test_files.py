@@ -26,7 +26,7 @@ from app.scene import colour_maps
 from app.scene.distribution import fitting_limit
 from app.scene.quiet_colours import LIGHT
 from app.window import MainWindow
-from surfcmp_core.report import scale
+from surfcmp_core.colours import scale
 from tests.window.conftest import PATIENCE
 from tests.window.test_window import drop
 

@@ -11,7 +11,7 @@ from app.model.document import Document, Motion
 from app.model.history import MOST_STEPS, Change, History, Step, change_between
 from app.model.landmark import Pair
 from app.model.region import Region, Stroke
-from app.model.view_state import Heatmap, Place, Scale, ViewState
+from app.model.view_state import Heatmap, Kept, Place, Scale
 from app.window import MainWindow
 from surfcmp_core.comparing.comparison import Options
 from tests.window.conftest import PATIENCE
@@ -19,7 +19,7 @@ from tests.window.test_panels import drag, show
 from tests.window.test_window import drop
 
 PAIR = (Path("/a"), Path("/b"))
-FIRST = Step(Document(PAIR), ViewState())
+FIRST = Step(Document(PAIR), Kept())
 
 
 def of(**changes: object) -> Step:
@@ -72,8 +72,8 @@ def test_going_back_to_what_is_shown_keeps_what_was_undone():
 
 
 def test_what_had_nothing_to_compare_is_forgotten():
-    history = History(Step(Document(), ViewState()))
-    history.push(Step(Document((Path("/a"), None)), ViewState()))
+    history = History(Step(Document(), Kept()))
+    history.push(Step(Document((Path("/a"), None)), Kept()))
     history.push(FIRST)
     history.begin()
     assert history.undoable is None
