@@ -11,7 +11,8 @@ if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings
+from shiboken6 import isValid
 from pytestqt.qtbot import QtBot
 
 from app.jobs.window_folder import Kept
@@ -40,6 +41,10 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     window.close()
     for runner in window.runners:
         assert runner.wait(PATIENCE / 1000)
+    # Left to the next loop of events, it would be styled anew with every later one: in 3 s.
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not isValid(window)
 
 
 @pytest.fixture
