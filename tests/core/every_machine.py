@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion, mirrored_back
 
 COMPARISONS = {

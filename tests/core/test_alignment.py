@@ -14,7 +14,7 @@ from surfcmp_core.io import read_surface
 from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.projection import moved
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion, left_over
 
 

@@ -9,7 +9,7 @@ import pytest
 from app.__main__ import main
 from surfcmp_core.projection.placement import look_at
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import mirrored_back
 
 PROJECT = Path(__file__).parents[2]

@@ -1,10 +1,6 @@
 """All measures together: checks anyone can recompute, and what must not change them."""
 
-import dataclasses
 import math
-import sys
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -12,91 +8,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from surfcmp_core.grid.curve import curve_keys
 from surfcmp_core.measures import (
     Covered,
-    Measures,
-    TriangleValues,
-    hausdorff,
-    measure,
     triangle_areas,
 )
-from surfcmp_core.triangulation import triangulate
-
-Floats = NDArray[np.float64]
-Function = Callable[[Floats, Floats], Floats]
-
-
-@dataclasses.dataclass
-class Case:
-    nodes: Floats
-    label: NDArray[np.uint8]
-    triangles: NDArray[np.int32]
-    z1: Floats
-    z2: Floats
-    compared: NDArray[np.bool_]
-    node_weight: Floats | None = None
-    triangle_weight: Floats | None = None
-
-    def measure(self, **changed: Any) -> tuple[TriangleValues, Measures]:
-        given: dict[str, Any] = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
-        further = {
-            "tolerances": (0.0, 0.125, 0.5, 1.0),
-            "footprint_1": Covered(1.0),
-            "footprint_2": Covered(4.0),
-            "hausdorff": (0.0, 0.0),
-        }
-        return measure(**(given | further | changed))
-
-
-def lattice(
-    side: int, low: float, high: float, turned: int = 0
-) -> tuple[Floats, NDArray[np.int32]]:
-    """Nodes and triangles of a square; each cell's diagonal is drawn (0: all one way)."""
-    x, y = np.meshgrid(np.linspace(low, high, side), np.linspace(low, high, side))
-    number = np.arange(side * side).reshape(side, side)
-    a, b = number[:-1, :-1].ravel(), number[:-1, 1:].ravel()
-    c, d = number[1:, 1:].ravel(), number[1:, :-1].ravel()
-    other = np.random.default_rng(turned).integers(0, 2, len(a)) * (turned > 0) == 1
-    first = np.where(other[:, None], np.column_stack([a, b, d]), np.column_stack([a, b, c]))
-    second = np.where(other[:, None], np.column_stack([b, c, d]), np.column_stack([a, c, d]))
-    triangles = np.concatenate([first, second]).astype(np.int32)
-    return np.column_stack([x.ravel(), y.ravel()]), triangles
-
-
-def over_lattice(side: int, low: float, high: float, f: Function, turned: int = 0) -> Measures:
-    nodes, triangles = lattice(side, low, high, turned)
-    z = f(nodes[:, 0], nodes[:, 1])
-    label = np.full(len(nodes), 3, np.uint8)
-    compared = np.ones(len(triangles), bool)
-    return Case(nodes, label, triangles, z, np.zeros(len(z)), compared).measure()[1]
-
-
-def random_case(seed: int = 0, side: int = 12) -> Case:
-    """A jittered lattice with noisy surfaces, all labels, a few triangles left out."""
-    rng = np.random.default_rng(seed)
-    nodes, triangles = lattice(side, 0.0, 3.0, turned=seed + 1)
-    nodes += rng.uniform(-0.4, 0.4, nodes.shape) / side
-    z1, z2 = rng.normal(0.0, 0.5, (2, len(nodes)))
-    z2[rng.random(len(z2)) < 0.2] = 0.0
-    z1[z2 == 0.0] = 0.0
-    label = rng.integers(1, 4, len(nodes)).astype(np.uint8)
-    compared = rng.random(len(triangles)) < 0.8
-    return Case(nodes, label, triangles, z1, z2, compared, rng.random(len(nodes)))
-
-
-def near(value: Any, rel: float) -> Any:
-    return pytest.approx(value, rel=rel, abs=0.0)
-
-
-def numbers(measures: Measures) -> dict[str, float]:
-    flat = dataclasses.asdict(measures)
-    del flat["exact"]
-    return flat | {f"within {k}": v for k, v in flat.pop("within_tolerance").items()}
-
-
-def representative(case: Case) -> NDArray[np.bool_]:
-    return np.asarray(np.bitwise_or.reduce(case.label[case.triangles], axis=1) == 3)
+from tests.core.measure_cases import (
+    Case,
+    Floats,
+    near,
+    numbers,
+    over_lattice,
+    random_case,
+    representative,
+)
 
 
 @pytest.mark.parametrize("turned", range(5))
@@ -430,72 +354,3 @@ def test_surface_over_much_height_keeps_small_differences() -> None:
     _, found = case.measure()
     _, lifted = case.measure(z1=case.z1 + 1e9, z2=case.z2 + 1e9)
     assert numbers(lifted) == numbers(found)
-
-
-def _hausdorff(one: Floats, two: Floats, seed: int = 0) -> float:
-    """Ask for it where each node is said to lie anywhere."""
-    other = triangulate(two[:, :2].copy())
-    found = np.random.default_rng(seed).integers(0, len(other.start) // 3, len(one))
-    return hausdorff(
-        one[:, :2].copy(),
-        one[:, 2].copy(),
-        two[:, :2].copy(),
-        two[:, 2].copy(),
-        other,
-        found.astype(np.int32),
-    )
-
-
-def _by_all_pairs(one: Floats, two: Floats) -> float:
-    distance = np.linalg.norm(one[:, None] - two[None], axis=2)
-    return float(distance.min(axis=1).max())
-
-
-@given(
-    st.integers(1, 30), st.integers(3, 30), st.sampled_from([0.0, 0.1, 10.0]), st.integers(0, 99)
-)
-def test_hausdorff_against_all_pairs(n1: int, n2: int, height: float, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    one, two = rng.normal(size=(n1, 3)), rng.normal(size=(n2, 3))
-    one[:, 2] *= height
-    assert _hausdorff(one, two, seed) == pytest.approx(_by_all_pairs(one, two))
-
-
-@pytest.mark.parametrize("height", [0.0, 5.0, 50.0])
-def test_hausdorff_of_more_nodes_than_a_batch(height: float) -> None:
-    # far from each other most nodes are looked up in the k-d tree
-    rng = np.random.default_rng(0)
-    one, two = rng.normal(size=(9000, 3)), rng.normal(size=(500, 3))
-    one[:, 2] += height
-    assert _hausdorff(one, two) == pytest.approx(_by_all_pairs(one, two))
-
-
-@pytest.mark.parametrize(
-    ("height", "rough"),
-    [(1e2, 1e-3), (1e2, 1.0), (-1e4, 1e-6), (-1e4, 1.0), (1e7, 0.0), (1e7, 1e-3), (1e7, 1.0)],
-)
-def test_hausdorff_of_surfaces_far_apart_asks_for_few_nodes(
-    height: float, rough: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    # there all nodes of one are nearly equally far from each of the other: a search visits them all
-    from scipy import spatial
-
-    asked = []
-
-    class Counting(spatial.cKDTree):  # type: ignore[misc]
-        def query(self, x: Floats) -> tuple[Floats, Floats]:
-            asked.append(len(x))
-            return super().query(x)  # type: ignore[no-any-return]
-
-    monkeypatch.setattr(spatial, "cKDTree", Counting)
-    monkeypatch.setattr(sys.modules[hausdorff.__module__], "_WORTH_A_TREE", 0)
-    rng = np.random.default_rng(0)
-    one, two = rng.random((3000, 3)), rng.random((2000, 3))
-    one[:, 2], two[:, 2] = one[:, 2] * rough + height, two[:, 2] * rough
-    one = one[np.argsort(curve_keys(one[:, :2].copy(), (0.0, 0.0, 1.0, 1.0)))]
-    expected = np.sqrt(
-        ((one[:, None, :2] - two[None, :, :2]) ** 2).sum(axis=2)
-        + (one[:, None, 2] - two[None, :, 2]) ** 2
-    )
-    assert _hausdorff(one, two) == pytest.approx(expected.min(axis=1).max(), rel=1e-15)
-    assert 0 < sum(asked) < 1500

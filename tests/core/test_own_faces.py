@@ -15,7 +15,7 @@ from surfcmp_core.comparing.verification import check_half_edges
 from surfcmp_core.domain import own_faces
 from surfcmp_core.localisation import locate_from, relocate
 from surfcmp_core.triangulation import Triangulation, triangulate
-from tests.core.test_measures_overlay import area_of, cut, exact, keep_left, linear, product_over
+from tests.core.overlay_pairs import area_of, cut, exact, keep_left, linear, product_over
 
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]

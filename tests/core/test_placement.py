@@ -6,7 +6,7 @@ import pytest
 from surfcmp_core import compare
 from surfcmp_core.projection import moved
 from surfcmp_core.projection.placement import look_at, place
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion, mirrored_back
 
 PAIRS = [

@@ -8,6 +8,7 @@ import pytest
 from surfcmp_core.errors import InputError
 from surfcmp_core.projection import frame, moved, schlicht_part, viewing_direction
 from surfcmp_core.surface import Surface
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion, mirrored_back
 
 FACES = [
@@ -31,14 +32,6 @@ OTHERS = [
     ("made_jaw", "made_jaw_later"),
     ("made_skin", "made_bone"),
 ]
-
-
-def sheet(height, n=30, wide=1.0) -> Surface:
-    x, y = np.meshgrid(np.linspace(-wide, wide, n), np.linspace(-1.0, 1.0, n))
-    number = np.arange(n * n, dtype=np.int32).reshape(n, n)
-    a, b, c, d = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
-    faces = np.concatenate([np.stack(t, -1).reshape(-1, 3) for t in ((a, b, c), (a, c, d))])
-    return Surface(np.column_stack((x.ravel(), y.ravel(), height(x, y).ravel())), faces)
 
 
 def angle(u, v) -> float:

@@ -9,7 +9,7 @@ from surfcmp_core.projection import frame, moved
 from surfcmp_core.projection.placement import look_at
 from surfcmp_core.projection.places import same_place
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from surfcmp_core.errors import InputError
 from surfcmp_core.projection import Fate, frame, moved, schlicht_part, viewing_direction
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import mirrored_back
 
 

@@ -12,7 +12,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.projection import wound_alike
 from surfcmp_core.projection.placement import look_at, place
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import mirrored_back
 
 KEY = "triangles turned to wind like their neighbours"

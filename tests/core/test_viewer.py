@@ -13,7 +13,7 @@ from surfcmp_core import compare
 from surfcmp_core.projection import moved, seen_from_behind
 from surfcmp_core.projection.placement import look_at, place
 from surfcmp_core.surface import Surface
-from tests.core.test_projection_direction import sheet
+from tests.core.sheets import sheet
 from tests.core.turning import any_motion
 
 REPORTS = Path(__file__).parent / "fixtures" / "reports"

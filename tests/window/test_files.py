@@ -28,7 +28,7 @@ from app.scene.quiet_colours import LIGHT
 from app.window import MainWindow
 from surfcmp_core.colours import scale
 from tests.window.conftest import PATIENCE
-from tests.window.test_window import drop
+from tests.window.hands import drop
 
 
 def test_a_session_is_saved_and_opened_again(

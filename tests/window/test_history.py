@@ -15,8 +15,7 @@ from app.model.view_state import Heatmap, Kept, Place, Scale
 from app.window import MainWindow
 from surfcmp_core.comparing.comparison import Options
 from tests.window.conftest import PATIENCE
-from tests.window.test_panels import drag, show
-from tests.window.test_window import drop
+from tests.window.hands import drag, drop, show
 
 PAIR = (Path("/a"), Path("/b"))
 FIRST = Step(Document(PAIR), Kept())

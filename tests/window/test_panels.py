@@ -1,50 +1,18 @@
 """Each panel, used as a person would."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QScrollArea, QTabBar, QToolButton, QWidget
+from PySide6.QtWidgets import QScrollArea, QTabBar
 from pytestqt.qtbot import QtBot
 
-from app.model.document import NOT_MOVED
 from app.model.tool import Tool
 from app.model.view_state import Heatmap
-from app.panels.regions_panel import COLOURS
 from app.scene.distribution import distribution_of
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
-
-LEFT = Qt.MouseButton.LeftButton
-
-
-def drag(qtbot: QtBot, widget: QWidget, *places: tuple[float, float]) -> None:
-    """Drag over a widget; places in shares of its width and height."""
-    points = [QPoint(round(x * widget.width()), round(y * widget.height())) for x, y in places]
-    qtbot.mousePress(widget, LEFT, pos=points[0])
-    for point in points[1:]:
-        qtbot.mouseMove(widget, point)
-    qtbot.mouseRelease(widget, LEFT, pos=points[-1])
-
-
-def show(window: MainWindow, name: str) -> None:
-    dock = next(dock for dock in window.docks if dock.objectName() == name)
-    dock.show()
-    dock.raise_()
-
-
-@pytest.fixture
-def lassoed(sample: MainWindow, qtbot: QtBot) -> MainWindow:
-    """Give the sample with a region drawn over the relief."""
-    show(sample, "regions")
-    qtbot.mouseClick(sample.regions.lasso, LEFT)
-    assert sample.display.tool is Tool.LASSO
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        drag(qtbot, sample.grid.frames[3].canvas, (0.4, 0.4), (0.7, 0.4), (0.7, 0.7), (0.4, 0.7))
-    return sample
+from tests.window.hands import LEFT, drag, show
 
 
 def test_a_range_is_brushed_in_the_histogram(sample: MainWindow, qtbot: QtBot):
@@ -121,106 +89,6 @@ def test_a_label_stays_until_it_is_removed(sample: MainWindow, qtbot: QtBot):
     assert sample.display.state.probes == ()
 
 
-def test_a_region_is_drawn_named_weighed_and_undone(lassoed: MainWindow, qtbot: QtBot):
-    panel, session = lassoed.regions, lassoed.session
-    assert panel.tree.topLevelItemCount() == 3
-    whole = session.shown.comparison.measures.area_compared
-    parts = [part.measures.area_compared for part in session.shown.regions]
-    assert sum(parts) == pytest.approx(whole)
-    item = panel.tree.topLevelItem(0)
-    with qtbot.waitSignal(session.compared, timeout=PATIENCE):
-        item.setText(0, "cheek")
-    with qtbot.waitSignal(session.compared, timeout=PATIENCE):
-        panel.tree.topLevelItem(0).setText(1, "2.5")
-    region = session.document.regions[0]
-    assert (region.name, region.weight) == ("cheek", 2.5)
-    shown = session.shown.content.comparison.measures
-    assert shown.rho_V_mu > shown.rho_V
-    assert lassoed.measures.value("rho_V_mu") != lassoed.measures.value("rho_V")
-    panel.tree.topLevelItem(0).setText(1, "none")
-    assert session.document.regions[0].weight == 2.5
-    for _ in range(3):
-        with qtbot.waitSignal(session.compared, timeout=PATIENCE):
-            lassoed.actions_of.undo.trigger()
-    assert session.document.regions == ()
-    assert panel.tree.topLevelItemCount() == 0
-
-
-def test_a_brush_adds_to_the_selected_region(lassoed: MainWindow, qtbot: QtBot):
-    qtbot.mouseClick(lassoed.regions.brush, LEFT)
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        drag(qtbot, lassoed.grid.frames[2].canvas, (0.4, 0.3), (0.5, 0.3), (0.6, 0.3))
-    (region,) = lassoed.session.document.regions
-    lasso, brush = region.strokes
-    assert (lasso.radius, brush.radius) == (0.0, lassoed.regions.radius.value)
-    assert len(brush.path) > 2
-
-
-def taken_away(window: MainWindow, qtbot: QtBot, key: Qt.KeyboardModifier) -> float:
-    """Drag the brush through the selected region; return how much of its area is left."""
-    area = window.session.shown.regions[0].measures.area_compared
-    canvas = window.grid.frames[3].canvas
-    places = [QPoint(round(x * canvas.width()), canvas.height() // 2) for x in (0.5, 0.55, 0.6)]
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
-        qtbot.mousePress(canvas, LEFT, key, places[0])
-        for place in places[1:]:
-            qtbot.mouseMove(canvas, place)
-        qtbot.mouseRelease(canvas, LEFT, key, places[-1])
-    return window.session.shown.regions[0].measures.area_compared / area
-
-
-def test_a_brush_takes_away_from_the_selected_region(lassoed: MainWindow, qtbot: QtBot):
-    qtbot.mouseClick(lassoed.regions.brush, LEFT)
-    assert 0.3 < taken_away(lassoed, qtbot, Qt.KeyboardModifier.ShiftModifier) < 0.95
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        lassoed.actions_of.undo.trigger()
-    qtbot.mouseClick(lassoed.regions.take, LEFT)
-    assert 0.3 < taken_away(lassoed, qtbot, Qt.KeyboardModifier.NoModifier) < 0.95
-    assert [stroke.takes for stroke in lassoed.session.document.regions[0].strokes] == [False, True]
-    shown = lassoed.session.shown
-    parts = [part.measures.area_compared for part in shown.regions]
-    assert sum(parts) == pytest.approx(shown.comparison.measures.area_compared, rel=1e-12)
-
-
-def test_nothing_is_taken_away_without_a_region(sample: MainWindow):
-    sample.regions.take.setChecked(True)
-    sample.regions_of.draw(Tool.BRUSH, ((0.0, 0.0), (5.0, 5.0)))
-    assert sample.session.document.regions == ()
-    assert sample.banner.isVisible()
-
-
-def test_a_region_takes_another_colour(lassoed: MainWindow, qtbot: QtBot):
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        lassoed.regions.colour.menu().actions()[2].trigger()
-    assert lassoed.session.document.regions[0].colour == COLOURS[2]
-    assert lassoed.actions_of.undo.text() == "&Undo colour of a region"
-
-
-def test_a_stroke_of_the_brush_begins_a_new_region(lassoed: MainWindow, qtbot: QtBot):
-    qtbot.mouseClick(lassoed.regions.new, LEFT)
-    assert not lassoed.regions.remove.isEnabled()
-    qtbot.mouseClick(lassoed.regions.brush, LEFT)
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        drag(qtbot, lassoed.grid.frames[2].canvas, (0.4, 0.3), (0.5, 0.3), (0.6, 0.3))
-    assert len(lassoed.session.document.regions) == 2
-    assert lassoed.regions.selected == 1
-
-
-def test_regions_are_saved_and_loaded(lassoed: MainWindow, tmp_path: Path, qtbot: QtBot):
-    path = tmp_path / "regions.json"
-    lassoed.regions_of.save(path)
-    regions = lassoed.session.document.regions
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        qtbot.mouseClick(lassoed.regions.remove, LEFT)
-    assert lassoed.session.document.regions == ()
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        lassoed.regions_of.load(path)
-    assert lassoed.session.document.regions == regions
-    path.write_text(json.dumps([{"nonsense": 1}]))
-    lassoed.regions_of.load(path)
-    assert "regions.json" in lassoed.banner.label.text()
-
-
 def test_a_section_is_drawn(sample: MainWindow, qtbot: QtBot):
     show(sample, "section")
     qtbot.mouseClick(sample.section.line, LEFT)
@@ -237,106 +105,6 @@ def test_a_section_is_drawn(sample: MainWindow, qtbot: QtBot):
     assert np.allclose(values[known, 3], values[known, 1] - values[known, 2])
     qtbot.mouseClick(sample.section.line, LEFT)
     assert sample.display.tool is Tool.LOOK
-
-
-def test_a_nudge_is_a_motion_and_undone(sample: MainWindow, qtbot: QtBot):
-    show(sample, "alignment")
-    before = sample.session.shown.comparison.measures.mean_signed
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        sample.alignment.nudged.emit("z", 1.5)
-    motion = sample.session.document.motion
-    assert motion.matrix[2][3] == 1.5
-    after = sample.session.shown.comparison.measures.mean_signed
-    assert after == pytest.approx(before - 1.5, abs=1e-6)
-    assert sample.session.shown.record["options"]["align"]["method"] == "by hand"
-    assert "by hand" in sample.alignment.method.text()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        qtbot.mouseClick(sample.alignment.reset, LEFT)
-    assert sample.session.shown.comparison.measures.mean_signed == before
-
-
-def test_each_button_nudges_its_way(sample: MainWindow, qtbot: QtBot):
-    show(sample, "alignment")
-    box = sample.alignment.step
-    box.setFocus()
-    box.selectAll()
-    qtbot.keyClicks(box, "0.5")
-    qtbot.keyClick(box, Qt.Key.Key_Return)
-    buttons = {b.text(): b for b in sample.alignment.findChildren(QToolButton)}
-    for text, (row, column, value) in (
-        ("+x", (0, 3, 0.5)),
-        ("−y", (1, 3, -0.5)),
-        ("+↻z", (1, 0, np.sin(np.deg2rad(0.5)))),
-    ):
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-            qtbot.mouseClick(buttons[text], LEFT)
-        assert sample.session.document.motion.matrix[row][column] == pytest.approx(value)
-        assert sample.actions_of.undo.text() == "&Undo alignment"
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-            sample.actions_of.undo.trigger()
-    assert sample.session.document.motion == NOT_MOVED
-
-
-def test_best_fit_on_a_region_needs_one(lassoed: MainWindow, qtbot: QtBot):
-    show(lassoed, "alignment")
-    qtbot.mouseClick(lassoed.alignment.on_region, LEFT, pos=QPoint(8, 8))
-    assert lassoed.alignment.on_region.isChecked()
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        qtbot.mouseClick(lassoed.alignment.fit, LEFT)
-    assert lassoed.alignment.method.text().startswith("Moved: best fit (ICP) on a region")
-    with qtbot.waitSignal(lassoed.session.compared, timeout=PATIENCE):
-        lassoed.regions_of.remove(0)
-    before = lassoed.session.document
-    qtbot.mouseClick(lassoed.alignment.fit, LEFT)
-    assert lassoed.session.document == before
-    assert lassoed.banner.isVisible()
-
-
-def test_best_fit_takes_a_shift_back(sample: MainWindow, qtbot: QtBot):
-    show(sample, "alignment")
-    for axis, step in (("x", 2.0), ("rz", 1.5)):
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-            sample.alignment.nudged.emit(axis, step)
-    off = sample.session.shown.comparison.measures.mean_abs
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        qtbot.mouseClick(sample.alignment.fit, LEFT)
-    fitted = sample.session.shown.comparison.measures.mean_abs
-    assert fitted < off / 2
-    assert "ICP" in sample.alignment.method.text()
-    assert sample.session.document.motion.residual is not None
-
-
-def test_landmarks_move_surface_2(sample: MainWindow, qtbot: QtBot):
-    show(sample, "alignment")
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        sample.alignment.nudged.emit("y", 3.0)
-    sample.display.change(relief=False)
-    qtbot.mouseClick(sample.alignment.pick, LEFT)
-    for x, y in ((0.42, 0.4), (0.58, 0.4), (0.5, 0.75), (0.5, 0.3)):
-        for view in (0, 1):
-            canvas = sample.grid.frames[view].canvas
-            place = QPoint(round(x * canvas.width()), round(y * canvas.height()))
-            qtbot.mouseClick(canvas, LEFT, pos=place)
-    assert len(sample.alignment_of.pairs) == 4
-    texts = [[label.text for label in frame.canvas._labels] for frame in sample.grid.frames]
-    assert texts == [["1", "2", "3", "4"], ["1", "2", "3", "4"], [], []]
-    first = sample.grid.frames[0].canvas
-    assert first._position(first._labels[2].right, first._labels[2].up).x() == pytest.approx(
-        0.5 * first.width(), abs=2
-    )
-    assert sample.display.state.picked is None
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        qtbot.mouseClick(sample.alignment.use, LEFT)
-    # the same places of the plane were clicked, so that only heights could move it
-    assert sample.session.document.motion.method == "landmarks"
-    qtbot.mouseClick(sample.alignment.clear, LEFT)
-    assert not sample.alignment.use.isEnabled()
-
-
-def test_too_few_landmarks_cannot_be_used(sample: MainWindow):
-    assert not sample.alignment.use.isEnabled()
-    sample.alignment_of.fit_landmarks()
-    assert sample.banner.isVisible()
 
 
 def test_options_compare_anew(sample: MainWindow, qtbot: QtBot):

@@ -27,7 +27,7 @@ from app.window import MainWindow
 from surfcmp_core.comparing.comparison import Comparison
 from tests.window.builders import comparison_of, hills
 from tests.window.conftest import PATIENCE
-from tests.window.test_panels import drag, show
+from tests.window.hands import drag, show
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 TURNED = Camera().turned(0.3, -0.7)

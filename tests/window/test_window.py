@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent, QGuiApplication
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -16,25 +16,7 @@ from app.look.numerals import with_unit
 from app.model.view_state import Heatmap
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
-
-
-def drop(window: MainWindow, *paths: Path) -> None:
-    """Drop files onto the window, as a file manager does."""
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    button, key = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    event = QDropEvent(QPointF(300, 300), Qt.DropAction.CopyAction, data, button, key)
-    window.dragEnterEvent(event)  # type: ignore[arg-type]
-    assert event.isAccepted()
-    window.dropEvent(event)
-
-
-def pixels(window: MainWindow, view: int) -> np.ndarray:
-    """Return the picture on a view's canvas, (height, width, 4)."""
-    image = window.grid.frames[view].canvas.grab().toImage()
-    image = image.convertToFormat(image.Format.Format_RGBX8888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-    return rows[:, : 4 * image.width()].reshape(image.height(), image.width(), 4).copy()
+from tests.window.hands import drop, pixels
 
 
 def test_an_empty_window_says_what_to_do(window: MainWindow):
