@@ -1,69 +1,34 @@
-"""A grid of square cells over triangles, to ask which places they cover."""
+"""Triangles sorted into cells, to ask which places they cover."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cells.bed import Bed, bed_over, in_cells
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates import orientation
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Buckets:
+class Buckets(NamedTuple):
     """Faces sorted into cells.
 
     Attributes
     ----------
     nodes : (n, 2) float64
     faces : (m, 3) int32
-    x0, y0, per_cell : float
-        Corner of the cells and cells for each unit of length.
-    columns, rows : int
-    first : (columns * rows + 1,) int64
-        Where each cell's faces start in `members`.
+    bed : Bed
+        Over the faces.
+    start : (cells + 1,) int64
+        Where each cell's faces begin in `members`.
     members : int32
     """
 
     nodes: NDArray[np.float64]
     faces: NDArray[np.int32]
-    x0: float
-    y0: float
-    per_cell: float
-    columns: int
-    rows: int
-    first: NDArray[np.int64]
+    bed: Bed
+    start: NDArray[np.int64]
     members: NDArray[np.int32]
-
-
-@kernel
-def _sort(
-    nodes: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    columns: int,
-    rows: int,
-    first: NDArray[np.int64],
-    members: NDArray[np.int32],
-) -> None:
-    """Count the members of the cells into `first`; with room in `members`, fill them in too."""
-    filling = members.size > 0
-    for f in range(faces.shape[0]):
-        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        left = int((min(nodes[a, 0], nodes[b, 0], nodes[c, 0]) - x0) * per_cell)
-        right = int((max(nodes[a, 0], nodes[b, 0], nodes[c, 0]) - x0) * per_cell)
-        low = int((min(nodes[a, 1], nodes[b, 1], nodes[c, 1]) - y0) * per_cell)
-        high = int((max(nodes[a, 1], nodes[b, 1], nodes[c, 1]) - y0) * per_cell)
-        for row in range(low, min(high, rows - 1) + 1):
-            for column in range(left, min(right, columns - 1) + 1):
-                cell = row * columns + column
-                if filling:
-                    members[first[cell]] = f
-                    first[cell] += 1
-                else:
-                    first[cell + 1] += 1
 
 
 def buckets_of(nodes: NDArray[np.float64], faces: NDArray[np.int32]) -> Buckets:
@@ -80,46 +45,23 @@ def buckets_of(nodes: NDArray[np.float64], faces: NDArray[np.int32]) -> Buckets:
     Buckets
     """
     used = nodes[faces.reshape(-1)]
-    x0, y0 = used.min(axis=0)
-    width, height = used.max(axis=0) - (x0, y0)
-    cells = float(max(len(faces), 16))
-    side = max(float(np.sqrt(width) * np.sqrt(height) / np.sqrt(cells)), max(width, height) / cells)
-    per_cell = 1.0 / side if side > 0.0 else 0.0
-    columns, rows = int(width * per_cell) + 1, int(height * per_cell) + 1
-    first = np.zeros(columns * rows + 1, np.int64)
-    members = np.empty(0, np.int32)
-    _sort(nodes, faces, x0, y0, per_cell, columns, rows, first, members)
-    np.cumsum(first, out=first)
-    members = np.empty(first[-1], np.int32)
-    fill = first.copy()
-    _sort(nodes, faces, x0, y0, per_cell, columns, rows, fill, members)
-    return Buckets(nodes, faces, float(x0), float(y0), per_cell, columns, rows, first, members)
+    bed = bed_over(used.min(axis=0), used.max(axis=0), float(max(len(faces), 16)))
+    return Buckets(nodes, faces, bed, *in_cells(bed, nodes, faces, np.arange(len(faces))))
 
 
 @kernel
-def _covered(
-    nodes: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    columns: int,
-    rows: int,
-    first: NDArray[np.int64],
-    members: NDArray[np.int32],
-    queries: NDArray[np.float64],
-    covered: NDArray[np.bool_],
-) -> None:
+def _covered(buckets: Buckets, queries: NDArray[np.float64], covered: NDArray[np.bool_]) -> None:
+    nodes, faces, bed, start, members = buckets
     for k in range(queries.shape[0]):
         px, py = queries[k, 0], queries[k, 1]
         covered[k] = False
-        if px < x0 or py < y0:
+        if px < bed.x0 or py < bed.y0:
             continue
-        right, up = (px - x0) * per_cell, (py - y0) * per_cell
-        if not (right < columns and up < rows):  # asked before it may be too much for an integer
+        right, up = (px - bed.x0) * bed.per_cell, (py - bed.y0) * bed.per_cell
+        if not (right < bed.columns and up < bed.rows):  # asked before it is too much for an int
             continue
-        cell = int(up) * columns + int(right)
-        for m in range(first[cell], first[cell + 1]):
+        cell = int(up) * bed.columns + int(right)
+        for m in range(start[cell], start[cell + 1]):
             f = members[m]
             ax, ay = nodes[faces[f, 0], 0], nodes[faces[f, 0], 1]
             bx, by = nodes[faces[f, 1], 0], nodes[faces[f, 1], 1]
@@ -148,17 +90,5 @@ def covered_by(buckets: Buckets, queries: NDArray[np.float64]) -> NDArray[np.boo
     (k,) bool
     """
     covered = np.empty(len(queries), np.bool_)
-    _covered(
-        buckets.nodes,
-        buckets.faces,
-        buckets.x0,
-        buckets.y0,
-        buckets.per_cell,
-        buckets.columns,
-        buckets.rows,
-        buckets.first,
-        buckets.members,
-        queries,
-        covered,
-    )
+    _covered(buckets, queries, covered)
     return covered

@@ -1,49 +1,41 @@
 """Square cells over a projected mesh, and in which of them it may lie in several layers."""
 
-import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cells.bed import Bed, bed_over, extent, in_cells
 from surfcmp_core.compiled.kernel import kernel
 
 _IN_EACH = 4
 """Triangles in a cell, on average."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Cells:
-    """Cells of one size over the plane.
+class Cells(NamedTuple):
+    """Cells over a mesh.
 
     Attributes
     ----------
-    x0, y0 : float
-        Lower left corner of all.
-    per_cell : float
-        Cells in a unit of length.
+    bed : Bed
     doubtful : (rows, columns) bool
         False where triangles lie in one layer at most, for certain.
     """
 
-    x0: float
-    y0: float
-    per_cell: float
+    bed: Bed
     doubtful: NDArray[np.bool_]
 
 
 @kernel
 def _mark(
+    bed: Bed,
     nodes: NDArray[np.float64],
     border: NDArray[np.int64],
-    x0: float,
-    y0: float,
-    per_cell: float,
     doubtful: NDArray[np.bool_],
     layers: NDArray[np.int32],
 ) -> None:
     """Mark cells near the border; count layers at the middle of each cell, from left to right."""
-    rows, columns = doubtful.shape
+    x0, y0, per_cell, rows, columns = bed
     for e in range(border.shape[0]):
         ax = (nodes[border[e, 0], 0] - x0) * per_cell
         ay = (nodes[border[e, 0], 1] - y0) * per_cell
@@ -95,88 +87,29 @@ def cells_over(nodes: NDArray[np.float64], border: NDArray[np.int64], triangles:
     Cells
     """
     outermost = nodes[border]
-    x0, y0 = outermost.min(axis=(0, 1)).tolist()
-    wide, high = np.ptp(outermost, axis=(0, 1)).tolist()
-    wanted = triangles / _IN_EACH + 1.0
-    # square cells, but along a thin strip no more than wanted
-    side = max(math.sqrt(wide * high / wanted), max(wide, high) / wanted)
-    per_cell = 1.0 / side if side > 0.0 else 0.0
-    shape = int(high * per_cell) + 1, int(wide * per_cell) + 1
-    doubtful = np.zeros(shape, bool)
-    _mark(nodes, border, x0, y0, per_cell, doubtful, np.zeros(shape, np.int32))
-    return Cells(x0, y0, per_cell, doubtful)
+    low, high = outermost.min(axis=(0, 1)), outermost.max(axis=(0, 1))
+    bed = bed_over(low, high, triangles / _IN_EACH + 1.0)
+    doubtful = np.zeros((bed.rows, bed.columns), bool)
+    _mark(bed, nodes, border, doubtful, np.zeros(doubtful.shape, np.int32))
+    return Cells(bed, doubtful)
 
 
 @kernel
-def extent(
-    nodes: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    t: int,
-    x0: float,
-    y0: float,
-    per_cell: float,
-    shape: tuple[int, int],
-) -> tuple[int, int, int, int]:
-    """First and last row and column of the cells that a triangle may touch, none outside."""
-    a, b, c = faces[t, 0], faces[t, 1], faces[t, 2]
-    left = min(nodes[a, 0], nodes[b, 0], nodes[c, 0])
-    right = max(nodes[a, 0], nodes[b, 0], nodes[c, 0])
-    low = min(nodes[a, 1], nodes[b, 1], nodes[c, 1])
-    high = max(nodes[a, 1], nodes[b, 1], nodes[c, 1])
-    return (
-        int(min(max((low - y0) * per_cell, 0.0), float(shape[0]))),
-        int(min(max((high - y0) * per_cell, -1.0), shape[0] - 1.0)),
-        int(min(max((left - x0) * per_cell, 0.0), float(shape[1]))),
-        int(min(max((right - x0) * per_cell, -1.0), shape[1] - 1.0)),
-    )
-
-
-@kernel
-def _count(
+def _touching(
+    cells: Cells,
     nodes: NDArray[np.float64],
     faces: NDArray[np.int32],
     counts: NDArray[np.bool_],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    doubtful: NDArray[np.bool_],
-    start: NDArray[np.int64],
     candidates: NDArray[np.bool_],
 ) -> None:
+    """Mark the triangles, of those that count, that may touch a doubtful cell."""
+    bed, doubtful = cells
     for t in range(faces.shape[0]):
-        if not counts[t]:
-            continue
-        r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, doubtful.shape)
-        found = False
-        for r in range(r0, r1 + 1):
-            for c in range(c0, c1 + 1):
-                found = found or doubtful[r, c]
-        if found:
-            candidates[t] = True
+        if counts[t]:
+            r0, r1, c0, c1 = extent(bed, nodes, faces, t)
             for r in range(r0, r1 + 1):
                 for c in range(c0, c1 + 1):
-                    start[r * doubtful.shape[1] + c + 1] += 1
-
-
-@kernel
-def _fill(
-    nodes: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    candidates: NDArray[np.int64],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    shape: tuple[int, int],
-    following: NDArray[np.int64],
-    members: NDArray[np.int64],
-) -> None:
-    for t in candidates:
-        r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, shape)
-        for r in range(r0, r1 + 1):
-            for c in range(c0, c1 + 1):
-                cell = r * shape[1] + c
-                members[following[cell]] = t
-                following[cell] += 1
+                    candidates[t] = candidates[t] or doubtful[r, c]
 
 
 def crowded(
@@ -184,7 +117,7 @@ def crowded(
     faces: NDArray[np.int32],
     counts: NDArray[np.bool_],
     cells: Cells,
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
     """Sort the triangles that may overlap others into cells.
 
     Parameters
@@ -197,17 +130,9 @@ def crowded(
 
     Returns
     -------
-    start : (cells + 1,) int64
-        Where each cell's triangles begin in `members`.
-    members : (k,) int64
-        Triangles; one that reaches into several cells stands in each.
+    start, members
+        Triangles of each cell, as :func:`surfcmp_core.cells.bed.in_cells` gives them.
     """
-    shape = cells.doubtful.shape
-    where = (cells.x0, cells.y0, cells.per_cell)
-    start = np.zeros(cells.doubtful.size + 1, np.int64)
     candidates = np.zeros(len(faces), bool)
-    _count(nodes, faces, counts, *where, cells.doubtful, start, candidates)
-    np.cumsum(start, out=start)
-    members = np.empty(int(start[-1]), np.int64)
-    _fill(nodes, faces, np.flatnonzero(candidates), *where, shape, start[:-1].copy(), members)
-    return start, members
+    _touching(cells, nodes, faces, counts, candidates)
+    return in_cells(cells.bed, nodes, faces, np.flatnonzero(candidates))

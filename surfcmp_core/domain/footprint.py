@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.cells.buckets import Buckets, buckets_of, covered_by
-from surfcmp_core.cells.gaps import NO_GAPS, gaps_of
+from surfcmp_core.cells.gaps import NO_GAPS, Gaps, gaps_of
 from surfcmp_core.compiled.kernel import kernel, wide
 from surfcmp_core.domain.centroids import centroids, mean_of
 from surfcmp_core.domain.matching import match_faces
@@ -249,12 +249,10 @@ def _states_of_triangles(
     corner_states: NDArray[np.uint8],
     hints: NDArray[np.int32],
     ask_centroids: bool,
-    x0: float,
-    y0: float,
-    per_cell: float,
-    near_gap: NDArray[np.bool_],
+    gaps: Gaps,
     states: NDArray[np.uint8],
 ) -> None:
+    (x0, y0, per_cell, rows, columns), near_gap = gaps
     states[:] = 0
     for t in range(triangles.shape[0]):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
@@ -266,8 +264,8 @@ def _states_of_triangles(
         elif ask_centroids:
             x = mean_of(corners[a, 0], corners[b, 0], corners[c, 0])
             y = mean_of(corners[a, 1], corners[b, 1], corners[c, 1])
-            column = int(min(max((x - x0) * per_cell, 0.0), near_gap.shape[1] - 1.0))
-            row = int(min(max((y - y0) * per_cell, 0.0), near_gap.shape[0] - 1.0))
+            column = int(min(max((x - x0) * per_cell, 0.0), columns - 1.0))
+            row = int(min(max((y - y0) * per_cell, 0.0), rows - 1.0))
             if near_gap[row, column]:
                 found = walk_to(nodes, start, twin, hints[a], x, y)
                 states[t] = _state_at(nodes, start, twin, state, found, x, y)
@@ -318,10 +316,7 @@ def states_of_triangles(
         node_states,
         hints,
         asking,
-        gaps.x0,
-        gaps.y0,
-        gaps.per_cell,
-        gaps.near,
+        gaps,
         states,
     )
     if asking and footprint.faces is not None:

@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.cells.layers import Cells, extent
+from surfcmp_core.cells.bed import extent
+from surfcmp_core.cells.layers import Cells
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.removed import Fate
@@ -51,24 +52,22 @@ def _mark_backs(
     faces: NDArray[np.int32],
     fate: NDArray[np.uint8],
     backs: NDArray[np.bool_],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    doubtful: NDArray[np.bool_],
+    cells: Cells,
     above: NDArray[np.bool_],
 ) -> None:
+    bed, doubtful = cells
     lowest = np.full(doubtful.shape, np.inf)
     for t in range(faces.shape[0]):
         if fate[t] == _KEPT:
             low = min(z[faces[t, 0]], z[faces[t, 1]], z[faces[t, 2]])
-            r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, doubtful.shape)
+            r0, r1, c0, c1 = extent(bed, nodes, faces, t)
             for r in range(r0, r1 + 1):
                 for c in range(c0, c1 + 1):
                     lowest[r, c] = min(lowest[r, c], low)
     for t in range(faces.shape[0]):
         if backs[t]:
             top = max(z[faces[t, 0]], z[faces[t, 1]], z[faces[t, 2]])
-            r0, r1, c0, c1 = extent(nodes, faces, t, x0, y0, per_cell, doubtful.shape)
+            r0, r1, c0, c1 = extent(bed, nodes, faces, t)
             for r in range(r0, r1 + 1):
                 for c in range(c0, c1 + 1):
                     if top > lowest[r, c]:
@@ -86,6 +85,5 @@ def doubt_backs(
 ) -> NDArray[np.bool_]:
     """Give the backs that reach above the lowest of what is kept, and doubt the cells where."""
     above = np.zeros(len(faces), np.bool_)
-    where = (cells.x0, cells.y0, cells.per_cell)
-    _mark_backs(nodes, z, faces, fate, backs, *where, cells.doubtful, above)
+    _mark_backs(nodes, z, faces, fate, backs, cells, above)
     return above

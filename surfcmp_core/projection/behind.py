@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cells.bed import Bed
 from surfcmp_core.cells.layers import Cells, crowded
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates import orientation
@@ -162,12 +163,9 @@ def _hide(
     nodes: NDArray[np.float64],
     z: NDArray[np.float64],
     faces: NDArray[np.int32],
-    x0: float,
-    y0: float,
-    per_cell: float,
-    columns: int,
+    bed: Bed,
     start: NDArray[np.int64],
-    members: NDArray[np.int64],
+    members: NDArray[np.int32],
     fate: NDArray[np.uint8],
     room: float,
     above: float,
@@ -206,9 +204,9 @@ def _hide(
                 if fate[p] != _KEPT and fate[q] != _KEPT:
                     continue
                 # once a pair: in the cell of their boxes' first common place
-                column = int((max(low[i, 0], low[j, 0]) - x0) * per_cell)
-                row = int((max(low[i, 1], low[j, 1]) - y0) * per_cell)
-                if row * columns + column != cell or _along_an_edge(faces, q, p):
+                column = int((max(low[i, 0], low[j, 0]) - bed.x0) * bed.per_cell)
+                row = int((max(low[i, 1], low[j, 1]) - bed.y0) * bed.per_cell)
+                if row * bed.columns + column != cell or _along_an_edge(faces, q, p):
                     continue
                 if _apart(nodes, faces, q, p, room) or _apart(nodes, faces, p, q, room):
                     continue
@@ -260,6 +258,4 @@ def hide(
     if backs is not None:
         counts |= doubt_backs(nodes, z, faces, fate, backs, cells)
     start, members = crowded(nodes, faces, counts, cells)
-    columns = cells.doubtful.shape[1]
-    where = (cells.x0, cells.y0, cells.per_cell, columns)
-    _hide(nodes, z, faces, *where, start, members, fate, room, above)
+    _hide(nodes, z, faces, cells.bed, start, members, fate, room, above)

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.cells.bed import Bed, extent
 from surfcmp_core.cells.gaps import Gaps
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.measures.chunks import over_chunks
@@ -69,9 +70,7 @@ def _fill_shares(
     triangles: NDArray[np.int32],
     side: OverlaySide,
     box: NDArray[np.float64],
-    x0: float,
-    y0: float,
-    per_cell: float,
+    bed: Bed,
     near: NDArray[np.int32],
     shares: NDArray[np.float64],
 ) -> None:
@@ -84,7 +83,6 @@ def _fill_shares(
     lines = np.empty((1, 3, 3))
     polygons = np.empty((3, MOST_CORNERS, 3))
     whole_polygon(polygons)
-    rows, columns = near.shape[0] - 1, near.shape[1] - 1
     for t in range(begin, end):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         left = min(min(places[a, 0], places[b, 0]), places[c, 0])
@@ -100,13 +98,8 @@ def _fill_shares(
             if own[v] < 0 and found[v] >= real:
                 inside = False
         if inside:
-            first_column = int(min(max((left - x0) * per_cell, 0.0), columns - 1.0))
-            last_column = int(min(max((right - x0) * per_cell, 0.0), columns - 1.0)) + 1
-            first_row = int(min(max((low - y0) * per_cell, 0.0), rows - 1.0))
-            last_row = int(min(max((high - y0) * per_cell, 0.0), rows - 1.0)) + 1
-            marked = (near[last_row, last_column] - near[first_row, last_column]) - (
-                near[last_row, first_column] - near[first_row, first_column]
-            )
+            r0, r1, c0, c1 = extent(bed, places, triangles, t)
+            marked = (near[r1 + 1, c1 + 1] - near[r0, c1 + 1]) - (near[r1 + 1, c0] - near[r0, c0])
             if marked == 0:
                 shares[t] = 1.0
                 continue
@@ -184,9 +177,7 @@ def shares_within(
             united.triangles,
             side,
             box,
-            gaps.x0,
-            gaps.y0,
-            gaps.per_cell,
+            gaps.bed,
             near,
             shares,
         )
