@@ -6,9 +6,8 @@ from PySide6.QtCore import QObject
 
 from app.controllers.display import Display
 from app.controllers.session import Session
-from app.model.view_state import Scale
+from app.model.view_state import ScaleChoice
 from app.panels.scale_panel import ScalePanel
-from app.scene.distribution import fitting_limit
 
 
 class Scaling(QObject):
@@ -25,7 +24,7 @@ class Scaling(QObject):
         display.changed.connect(self._show)
         self._show()
 
-    def choose(self, scale: Scale) -> None:
+    def choose(self, scale: ScaleChoice) -> None:
         """Put another scale in force."""
         document = self._session.document
         options = replace(document.options, tolerances=scale.tolerances)
@@ -35,7 +34,7 @@ class Scaling(QObject):
         """Fit the range to the differences; it stays there afterwards."""
         display = self._display
         if display.content is not None:
-            limit = fitting_limit(display.content.distributions.absolute)
+            limit = display.content.distributions.fitting_end
             display.change(scale=replace(display.state.scale, limit=limit, pinned=True))
 
     def _show(self) -> None:

@@ -14,7 +14,7 @@ from app.drawing.studio import Pictures, Print, Studio, Wish
 from app.look.numerals import short
 from app.look.theme import theme
 from app.model.tool import Tool
-from app.model.view_state import Of, Place, Scale, ViewState
+from app.model.view_state import Of, Place, ScaleChoice, ViewState
 from app.scene.camera import Camera, between, home, showing
 from app.scene.content import Content
 from app.scene.pick import (
@@ -105,7 +105,7 @@ class Display(QObject):
         """The camera of the pictures on the screen."""
         return self._seen
 
-    def set_content(self, content: Content, unit: str, scale: Scale) -> None:
+    def set_content(self, content: Content, unit: str, scale: ScaleChoice) -> None:
         """Show another comparison; the camera stays where the box is much the same."""
         old, self.content = self.content, content
         self.unit = unit

@@ -13,9 +13,8 @@ from app.jobs.comparing import Compared, compared
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.history import History, Step
-from app.model.view_state import Kept, Of, Scale, ViewState
+from app.model.view_state import Kept, Of, ScaleChoice, ViewState
 from app.scene.camera import Camera
-from app.scene.distribution import fitting_limit
 from surfcmp_core.report.record import unit_of
 
 MERGED_SECONDS = 0.6
@@ -151,11 +150,11 @@ class Session(QObject):
         self.history.amend(self._display.state.kept)
         self.changed.emit()
 
-    def _scale_of(self, result: Compared) -> Scale:
+    def _scale_of(self, result: Compared) -> ScaleChoice:
         """Give the scale for a result: its range fits a new pair, unless the user fixed it."""
         scale = replace(self._display.state.scale, tolerances=result.document.options.tolerances)
         if not scale.pinned and result.document.paths != self._fitted:
-            scale = replace(scale, limit=fitting_limit(result.content.distributions.absolute))
+            scale = replace(scale, limit=result.content.distributions.fitting_end)
         self._fitted = result.document.paths
         return scale
 

@@ -5,8 +5,8 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
 
 from app.drawing.mesh import Mesh, cells_of, new_actor, paint, points_of, unit
 from app.scene.camera import Camera, Vector
-from app.scene.colour_maps import Rgb
 from app.scene.scene import MeshLayer
+from surfcmp_core.colours.maps import Rgb
 
 EDGE_PIXELS = (2.0, 9.0)
 """Sides shorter than the first on the screen are not drawn; at the second they are full."""

@@ -10,8 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkRenderer
 
 from app.scene.coarse import Coarse
-from app.scene.colour_maps import Colours, Rgb
 from app.scene.geometry import Patch
+from surfcmp_core.colours.maps import Colours, Rgb
 
 PART = 1 << 17
 """Triangles drawn in one go."""

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.camera import Camera
-from app.scene.colour_maps import Colours, Rgb
 from app.scene.geometry import Patch
 from app.scene.scene import MeshLayer, Scene
+from surfcmp_core.colours.maps import Colours, Rgb
 
 if sys.platform == "linux":  # needs no X server and starts three times faster than GLX
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
-from app.model.view_state import Heatmap, ViewState
+from app.model.view_state import ViewState
 
 if TYPE_CHECKING:
     from app.jobs.comparing import Compared
@@ -63,17 +63,12 @@ def record_of(result: Compared, state: ViewState) -> dict[str, Any]:
     """
     from surfcmp_core.report.record import region_document
 
-    scale = state.scale
     record = dict(result.record)
     record["measures"] = {
         **record["measures"],
         "rho_V_mu": result.content.comparison.measures.rho_V_mu,
     }
-    record["scale"] = {
-        "end": scale.limit,
-        "bands": sorted(scale.tolerances) if scale.banded else [],
-        "signed": state.heatmap is Heatmap.SIGNED,
-    }
+    record["scale"] = asdict(state.colours)
     if result.regions:
         record["regions"] = [
             region_document(

@@ -9,6 +9,7 @@ from enum import Enum, StrEnum
 from typing import Self
 
 from app.model.landmark import Pair
+from surfcmp_core.colours.scale import Scale
 
 
 class Heatmap(StrEnum):
@@ -28,8 +29,8 @@ class Heatmap(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Scale:
-    """The range of the differences' colours: 0 to `limit`, or -`limit` to `limit` when signed.
+class ScaleChoice:
+    """What the user chose of the differences' colours.
 
     Attributes
     ----------
@@ -75,13 +76,20 @@ class Kept:
     """What undo and redo bring back: each change of it is a step of the history."""
 
     heatmap: Heatmap = Heatmap.SIGNED
-    scale: Scale = Scale()
+    scale: ScaleChoice = ScaleChoice()
     edges: bool = True
     probes: tuple[Place, ...] = field(default=(), metadata=_PLACES)
     """Places whose labels stay."""
     section: tuple[float, float, float, float] | None = field(default=None, metadata=_PLACES)
     """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
     landmarks: tuple[Pair, ...] = field(default=(), metadata=_FILES)
+
+    @property
+    def colours(self) -> Scale:
+        """The colours of differences, in the views and in reports."""
+        chosen = self.scale
+        bands = tuple(sorted(chosen.tolerances)) if chosen.banded else ()
+        return Scale(chosen.limit, bands, self.heatmap is Heatmap.SIGNED)
 
     def without(self, owner: Of) -> Self:
         """Return the same with what belongs to `owner` as at first."""

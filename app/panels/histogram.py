@@ -9,9 +9,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen
 
 from app.look.theme import theme
-from app.model.view_state import Heatmap, ViewState
+from app.model.view_state import ViewState
 from app.panels.plot import Plot
-from app.scene.colour_maps import banded, continuous, map_of
+from surfcmp_core.colours.scale import coloured
 
 if TYPE_CHECKING:
     from app.scene.content import Content
@@ -48,18 +48,14 @@ class Histogram(Plot):
 
     def show_content(self, content: Content, state: ViewState, unit: str) -> None:
         """Show the distribution of a comparison in the colours and range of `state`."""
-        signed = state.heatmap is Heatmap.SIGNED
-        low, high = range_of(state)
+        scale = state.colours
+        low, high = scale.low, scale.end
         edges = np.linspace(low, high, BINS + 1)
         middles = (edges[1:] + edges[:-1]) / 2
-        if state.scale.banded:
-            self._colours = banded(middles, state.scale, signed, (0, 0, 0))
-        else:
-            kind = Heatmap.SIGNED if signed else Heatmap.ABSOLUTE
-            self._colours = continuous(middles, low, high, map_of(kind), (0, 0, 0))
+        self._colours = coloured(middles, scale, (0, 0, 0))
         self._edges = edges
         self._shares = 100 * distribution(content, state).histogram(edges)
-        signs = (1, -1) if signed else (1,)
+        signs = (1, -1) if scale.signed else (1,)
         tolerances = enumerate(state.scale.tolerances)
         self._lines = [(k, sign * value) for k, value in tolerances for sign in signs]
         self._brush = state.brush
@@ -128,13 +124,7 @@ class Histogram(Plot):
         self._held = self._from = None
 
 
-def range_of(state: ViewState) -> tuple[float, float]:
-    """Return the range of the differences' colours."""
-    limit = state.scale.limit
-    return (-limit if state.heatmap is Heatmap.SIGNED else 0.0), limit
-
-
 def distribution(content: Content, state: ViewState) -> Distribution:
     """Return the distribution the histogram shows: signed with a signed heatmap, else absolute."""
     found = content.distributions
-    return found.signed if state.heatmap is Heatmap.SIGNED else found.absolute
+    return found.signed if state.colours.signed else found.absolute

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QLine
 from app.look.numerals import short
 from app.look.texts import QT_TRANSLATE_NOOP
 from app.look.theme import UNIT
-from app.model.view_state import Scale, ViewState
-from app.panels.histogram import Histogram, distribution, range_of
+from app.model.view_state import ScaleChoice, ViewState
+from app.panels.histogram import Histogram, distribution
 from app.panels.widgets import ChoiceButton, NumberBox, Panel, quiet_label
 
 if TYPE_CHECKING:
@@ -30,14 +30,14 @@ class ScalePanel(Panel):
     """Histogram, limit, bands, tolerances and brush."""
 
     changed = Signal(object)
-    """Scale: what the user chose."""
+    """ScaleChoice: what the user chose."""
     brushed = Signal(object)
     """The range that lights up, or None."""
     fit_asked = Signal()
 
     def __init__(self) -> None:
         super().__init__()
-        self._scale = Scale()
+        self._scale = ScaleChoice()
         self.histogram = Histogram()
         self.histogram.tolerance_moved.connect(self._tolerance_moved)
         self.histogram.brushed.connect(self.brushed)
@@ -96,7 +96,7 @@ class ScalePanel(Panel):
             self.tolerances.setText("  ".join(short(value) for value in state.scale.tolerances))
         if content is None:
             return
-        low, high = range_of(state)
+        scale = state.colours
         found = distribution(content, state)
         if state.brush is not None:
             share = 100 * found.within(*state.brush)
@@ -104,7 +104,7 @@ class ScalePanel(Panel):
                 share, short(round(state.brush[0], 6)), short(round(state.brush[1], 6)), unit
             )
         else:
-            share = 100 * (1 - found.within(low, high))
+            share = 100 * (1 - found.within(scale.low, scale.end))
             text = self.tr("{:.1f} % of the area lies beyond the range").format(share)
         self.beyond.setText(text)
         self.histogram.show_content(content, state, unit)

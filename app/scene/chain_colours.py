@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scene.colour_maps import Colours
+from surfcmp_core.colours.maps import Colours
 
 GOLDEN = 0.6180339887498949
 """Multiples of it modulo 1 spread evenly, however many there are."""

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.chain_colours import chain_colours
-from app.scene.colour_maps import Colours
 from app.scene.geometry import Geometry
+from surfcmp_core.colours.maps import Colours
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison

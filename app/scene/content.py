@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.view_state import Heatmap
 from app.scene.chain_table import ChainTable, chain_table
-from app.scene.colour_maps import Rgb, map_of
 from app.scene.distribution import Distributions, distributions_of
 from app.scene.geometry import Geometry, geometry_of
 from app.scene.lines import borders_of
+from surfcmp_core.colours.maps import Rgb, difference_map
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
@@ -48,7 +47,7 @@ def content_of(
     borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
     if region is not None:
         borders = borders_of(comparison.united.triangles, region, list(colours))
-    map_of(Heatmap.SIGNED)  # is read from its file here, beside the window
+    difference_map(signed=True)  # is read from its file here, beside the window
     shape, (distributions, chains) = at_once(
         lambda: geometry or geometry_of(comparison),
         lambda: (distributions_of(comparison), chain_table(comparison)),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scene.ticks import round_up
+from surfcmp_core.colours.scale import fitting_end
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
@@ -41,13 +41,6 @@ class Distribution:
         """
         return np.diff(self.below(edges))
 
-    def quantile(self, share: float) -> float:
-        """Return the least value with at least `share` of the area up to it; NaN without area."""
-        if not self.values.size:
-            return float("nan")
-        place = int(np.searchsorted(self.shares[1:], share))
-        return float(self.values[min(place, len(self.values) - 1)])
-
     def within(self, low: float, high: float) -> float:
         """Return the share of the area with values in [low, high]."""
         first = np.searchsorted(self.values, low, side="left")
@@ -70,10 +63,10 @@ class Distributions:
     signed: Distribution
     absolute: Distribution
 
-
-def fitting_limit(absolute: Distribution) -> float:
-    """Return a round limit that leaves at most a hundredth of the area beyond it."""
-    return round_up(absolute.quantile(0.99))
+    @property
+    def fitting_end(self) -> float:
+        """A round end of a scale that leaves at most a hundredth of the area beyond it."""
+        return fitting_end(self.absolute.values, self.absolute.shares[1:])
 
 
 def distributions_of(comparison: Comparison) -> Distributions:

@@ -9,19 +9,12 @@ import numpy as np
 
 from app.model.view_state import Heatmap, ViewState
 from app.scene.chain_colours import oklch
-from app.scene.colour_maps import (
-    ABOVE,
-    BELOW,
-    Colours,
-    Rgb,
-    band_colours,
-    band_edges,
-    map_of,
-)
 from app.scene.quiet_colours import palette
 from app.scene.scene import TRUST_COLOURS, height_range
 from app.scene.ticks import ticks
 from app.scene.values import Trust
+from surfcmp_core.colours.maps import ABOVE, BELOW, Colours, Rgb, difference_map, height_map
+from surfcmp_core.colours.scale import band_colours, band_edges
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from surfcmp_core.comparing.comparison import Comparison
@@ -64,20 +57,19 @@ def colour_bar(comparison: Comparison, state: ViewState) -> ColourBar | None:
     if state.heatmap is Heatmap.TRUST:
         return None
     quiet = palette(state.dark)
-    signed = state.heatmap is Heatmap.SIGNED
-    if state.heatmap.of_difference and state.scale.banded:
-        edges = band_edges(state.scale, signed)
-        bands = band_colours(state.scale, signed)
+    scale = state.colours
+    if state.heatmap.of_difference and scale.bands:
+        edges, bands = band_edges(scale), band_colours(scale)
         marks = tuple(((k + 1) / len(bands), float(edge)) for k, edge in enumerate(edges))
         return ColourBar(bands, marks, None, None, quiet.no_data)
     if state.heatmap.of_difference:
-        low, high = (-state.scale.limit if signed else 0.0), state.scale.limit
-        below, above = (BELOW if signed else None), ABOVE
+        table, low, high = difference_map(scale.signed), scale.low, scale.end
+        below, above = (BELOW if scale.signed else None), ABOVE
     else:
-        (low, high), below, above = height_range(comparison), None, None
+        table, (low, high), below, above = height_map(), height_range(comparison), None, None
     span = high - low or 1.0
     marks = tuple(((value - low) / span, value) for value in ticks(low, high))
-    return ColourBar(map_of(state.heatmap), marks, below, above, quiet.no_data)
+    return ColourBar(table, marks, below, above, quiet.no_data)
 
 
 def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch, ...]:

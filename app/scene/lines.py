@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.view_state import ViewState
-from app.scene.colour_maps import Colours, Rgb
 from app.scene.pick import heights_at
 from app.scene.profile import profile_of
 from app.scene.quiet_colours import Palette
+from surfcmp_core.colours.maps import Colours, Rgb
 
 if TYPE_CHECKING:
     from app.scene.content import Content

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from app.scene.colour_maps import Rgb
+from surfcmp_core.colours.maps import NOT_COMPARED, Rgb
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ LIGHT = Palette(
     node_1=(28, 78, 130),
     node_2=(150, 84, 10),
     edge=(32, 40, 52),
-    no_data=(168, 173, 182),
+    no_data=NOT_COMPARED,
     accent=(0, 122, 204),
 )
 DARK = Palette(

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.view_state import Heatmap, Scale, ViewState
+from app.model.view_state import Heatmap, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.coarse import Coarse
-from app.scene.colour_maps import Colours, Rgb, banded, continuous, map_of
 from app.scene.geometry import Patch
 from app.scene.lines import Segments, lines_of
 from app.scene.pick import shadows
 from app.scene.profile import profile_of
 from app.scene.quiet_colours import Palette, palette
 from app.scene.values import Trust, values_of
+from surfcmp_core.colours.maps import Colours, Rgb, height_map, spread
+from surfcmp_core.colours.scale import Scale, coloured
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
     from app.scene.content import Content
@@ -110,7 +111,7 @@ def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Sce
             return surface_colours(patches[view], plain, state.dark, coarse)
         if view == 2:
             return united_colours(comparison, state.chain, state.dark, coarse)
-        kind, scale = state.heatmap, visible_part(state.scale)
+        kind, scale = state.heatmap, visible_part(state.colours)
         return heatmap_colours(comparison, kind, scale, state.brush, state.dark, coarse)
 
     def node_colours(view: int) -> Colours:
@@ -138,9 +139,7 @@ def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Sce
 
 def visible_part(scale: Scale) -> Scale:
     """Return the scale without what its colours do not show."""
-    if scale.banded:
-        return Scale(tolerances=scale.tolerances, banded=True)
-    return Scale(limit=scale.limit, tolerances=())
+    return replace(scale, end=1.0) if scale.bands else scale
 
 
 def forget() -> None:
@@ -218,18 +217,14 @@ def heatmap_colours(
     """
     quiet = palette(dark)
     values = values_of(comparison, heatmap, None if coarse is None else coarse.source)
-    signed = heatmap is Heatmap.SIGNED
     if heatmap is Heatmap.TRUST:
         table = np.array([*TRUST_COLOURS.values(), quiet.no_data], np.uint8)
         colours = table[values.astype(np.intp)]
     elif not heatmap.of_difference:
         low, high = height_range(comparison)
-        colours = continuous(values, low, high, map_of(heatmap), quiet.no_data)
-    elif scale.banded:
-        colours = banded(values, scale, signed, quiet.no_data)
+        colours = spread(values, low, high, height_map(), quiet.no_data)
     else:
-        low = -scale.limit if signed else 0.0
-        colours = continuous(values, low, scale.limit, map_of(heatmap), quiet.no_data)
+        colours = coloured(values, scale, quiet.no_data)
     if brush is not None:
         with np.errstate(invalid="ignore"):
             outside = ~((values >= brush[0]) & (values <= brush[1]))

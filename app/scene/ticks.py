@@ -1,18 +1,11 @@
-"""Round limits and round ticks."""
+"""Round ticks."""
 
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
-
-def round_up(value: float) -> float:
-    """Return the smallest of 1, 2, 5 times a power of ten that is at least `value`."""
-    if not math.isfinite(value) or value <= 0:
-        return 1.0
-    power = 10.0 ** math.floor(math.log10(value))
-    step = next(k for k in (1, 2, 5, 10) if value <= k * power * (1 + 1e-9))
-    return float(f"{step * power:.12g}")
+from surfcmp_core.colours.scale import round_up
 
 
 def ticks(low: float, high: float, most: int = 7) -> list[float]:

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QWidget
 from app.look.numerals import short, thousands
 from app.look.texts import QT_TRANSLATE_NOOP
 from app.look.theme import UNIT, Theme, tabular
-from app.scene.colour_maps import Rgb
 from app.scene.furniture import ColourBar, Swatch
 from app.scene.ticks import round_down
+from surfcmp_core.colours.maps import Rgb
 
 BAR_WIDTH = 14.0
 

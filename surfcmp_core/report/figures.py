@@ -3,22 +3,14 @@
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.colours.scale import (
-    ABOVE,
-    BELOW,
-    NOT_COMPARED,
-    Scale,
-    band_colours,
-    band_edges,
-    bands_of,
-    colour_table,
-    scale_of,
-)
+from surfcmp_core.colours.maps import ABOVE, BELOW, NOT_COMPARED, Rgb, difference_map
+from surfcmp_core.colours.scale import Scale, band_colours, band_edges, bands_of, scale_of
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.provenance import base_name, key_figures
 from surfcmp_core.report.record import Document
@@ -127,7 +119,7 @@ def draw_map(
     import matplotlib as mpl
 
     unit = document["options"]["unit"]
-    scale = scale_of(comparison, document)
+    scale = replace(scale_of(comparison, document), signed=signed)
     low, high = _frame(comparison)
     left, bottom, width, height = place
     values = comparison.mean_signed if signed else comparison.mean_abs
@@ -138,18 +130,17 @@ def draw_map(
         axes.locator_params(axis="x", nbins=max(2, int(width / 0.9)))
         axes.locator_params(axis="y", nbins=max(2, int(height / 0.6)))
         if scale.bands:
-            table = band_colours(scale, signed)
+            table = band_colours(scale)
             span = (-0.5, len(table) - 0.5)
-            _paint(axes, comparison, bands_of(values, scale, signed), _listed(table), span)
+            _paint(axes, comparison, bands_of(values, scale), _listed(table), span)
         else:
-            span = (-scale.end if signed else 0.0, scale.end)
-            _paint(axes, comparison, values, colours(signed), span)
+            _paint(axes, comparison, values, colours(signed), (scale.low, scale.end))
         if lying:
             beside = (left, bottom - LYING, width, 0.12)
         else:
             tall = max(min(height, 3.6), 1.2)
             beside = (left + width + 0.2, bottom + (height - tall) / 2, 0.14, tall)
-        bar = _scale_bar(figure, beside, scale, signed, _beyond(values, scale, signed), lying)
+        bar = _scale_bar(figure, beside, scale, _beyond(values, scale), lying)
         bar.set_label(f"{'z₁ − z₂' if signed else '|z₁ − z₂|'} ({unit})")
         if not comparison.compared.all():
             axes.annotate(
@@ -164,10 +155,10 @@ def draw_map(
             )
 
 
-def _beyond(values: NDArray[np.float64], scale: Scale, signed: bool) -> str:
+def _beyond(values: NDArray[np.float64], scale: Scale) -> str:
     """Say, in matplotlib's words, at which ends of the scale values lie beyond it."""
     over = bool(np.nanmax(values, initial=0.0) > scale.end)
-    under = bool(signed and np.nanmin(values, initial=0.0) < -scale.end)
+    under = bool(scale.signed and np.nanmin(values, initial=0.0) < scale.low)
     return {(0, 0): "neither", (1, 0): "max", (0, 1): "min", (1, 1): "both"}[over, under]
 
 
@@ -175,7 +166,6 @@ def _scale_bar(
     figure: "Figure",
     place: tuple[float, float, float, float],
     scale: Scale,
-    signed: bool,
     extend: str,
     lying: bool,
 ) -> "Colorbar":
@@ -185,16 +175,16 @@ def _scale_bar(
 
     kind: dict[str, Any] = {"orientation": "horizontal" if lying else "vertical"}
     if scale.bands:
-        table = band_colours(scale, signed)
-        edges = band_edges(scale, signed).tolist()
-        inner = table[1:-1] if signed else table[:-1]
+        table = band_colours(scale)
+        edges = band_edges(scale).tolist()
+        inner = table[1:-1] if scale.signed else table[:-1]
         cmap = _listed(inner).with_extremes(over=table[-1] / 255, under=table[0] / 255)
-        edges = edges if signed else [0.0, *edges]
+        edges = edges if scale.signed else [0.0, *edges]
         source = ScalarMappable(BoundaryNorm(edges, len(inner)), cmap)
-        kind |= {"extend": "both" if signed else "max", "spacing": "uniform", "ticks": edges}
+        kind |= {"extend": "both" if scale.signed else "max", "spacing": "uniform", "ticks": edges}
         kind |= {"extendfrac": "auto", "extendrect": True, "drawedges": True}
     else:
-        source = ScalarMappable(Normalize(-scale.end if signed else 0, scale.end), colours(signed))
+        source = ScalarMappable(Normalize(scale.low, scale.end), colours(scale.signed))
         kind |= {"extend": extend, "extendfrac": 0.05}
     bar = figure.colorbar(source, cax=figure.add_axes(_inches(figure, *place)), **kind)
     if scale.bands:
@@ -211,12 +201,18 @@ def _short(value: float) -> str:
 def _listed(table: NDArray[np.uint8]) -> "Colormap":
     from matplotlib.colors import ListedColormap
 
-    return ListedColormap(table / 255).with_extremes(bad=NOT_COMPARED)
+    return ListedColormap(table / 255).with_extremes(bad=_shares(NOT_COMPARED))
 
 
 def colours(signed: bool) -> "Colormap":
     """Return the colour map of a continuous scale."""
-    return _listed(colour_table(signed)).with_extremes(bad=NOT_COMPARED, over=ABOVE, under=BELOW)
+    beyond = {"over": _shares(ABOVE), "under": _shares(BELOW)}
+    return _listed(difference_map(signed)).with_extremes(bad=_shares(NOT_COMPARED), **beyond)
+
+
+def _shares(colour: Rgb) -> tuple[float, float, float]:
+    red, green, blue = colour
+    return red / 255, green / 255, blue / 255
 
 
 def histogram(comparison: Comparison, document: Document) -> "Figure":
@@ -237,7 +233,7 @@ def draw_histogram(
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     unit = document["options"]["unit"]
-    scale = scale_of(comparison, document)
+    scale = replace(scale_of(comparison, document), signed=False)
     compared = comparison.compared
     values, area = comparison.mean_abs[compared], comparison.area[compared]
     total = float(area.sum()) or 1.0
@@ -246,11 +242,9 @@ def draw_histogram(
     share = np.histogram(values, bins=edges, weights=area)[0] / total
     beyond = float(area[values > scale.end].sum()) / total
     if scale.bands:
-        colour = band_colours(scale, signed=False)[
-            bands_of(middle, scale, signed=False).astype(np.intp)
-        ]
+        colour = band_colours(scale)[bands_of(middle, scale).astype(np.intp)]
     else:
-        colour = colour_table(signed=False)[(256 * middle / scale.end).astype(np.intp)]
+        colour = difference_map(signed=False)[(256 * middle / scale.end).astype(np.intp)]
     with mpl.rc_context(_STYLE):
         axes = figure.add_axes(_inches(figure, *place))
         style: Any = {"edgecolor": QUIET, "linewidth": 0.3}

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.tool import Tool
-from app.model.view_state import Scale, ViewState
+from app.model.view_state import ScaleChoice, ViewState
 from app.scene.content import Content
 
 
@@ -41,7 +41,7 @@ class MockDisplay(QObject):
             self.state = state
             self.changed.emit()
 
-    def set_content(self, content: Content, unit: str, scale: Scale) -> None:
+    def set_content(self, content: Content, unit: str, scale: ScaleChoice) -> None:
         self.content, self.unit = content, unit
         self.state = replace(self.state, scale=scale)
         self.changed.emit()

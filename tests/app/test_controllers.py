@@ -18,7 +18,7 @@ from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.region import Region, Stroke
 from app.model.tool import Tool
-from app.model.view_state import Place, Scale
+from app.model.view_state import Place, ScaleChoice
 from app.scene.content import content_of
 from app.scene.pick import reading_at
 from tests.app.mocks import MockAsking, MockDisplay, MockSession, MockTelling
@@ -82,7 +82,7 @@ def test_a_picked_place_is_kept_and_let_go(result: Compared) -> None:
     places = Places(display, panel)
     panel.keep_asked.emit()  # nothing is picked
     assert display.state.probes == ()
-    display.set_content(result.content, "mm", Scale())
+    display.set_content(result.content, "mm", ScaleChoice())
     first, second = Place(0, (1.0, 0.0, 0.0)), Place(1, (0.2, 0.3, 0.5))
     display.change(picked=first)
     panel.keep_asked.emit()
@@ -107,7 +107,7 @@ def test_a_chain_that_is_chosen_stands_out_and_is_flown_to(result: Compared) -> 
     chains.fly_to(0)  # nothing is shown yet
     assert display.looked_at == []
     session.finish(result)
-    display.set_content(result.content, "mm", Scale())
+    display.set_content(result.content, "mm", ScaleChoice())
     assert panel.seen["chains"] == (result.content.chains, "mm")
     panel.chosen.emit(0)
     assert display.state.chain == 0
@@ -118,13 +118,13 @@ def test_a_chain_that_is_chosen_stands_out_and_is_flown_to(result: Compared) -> 
 def test_tolerances_are_the_document_s_and_the_range_is_the_view_s(result: Compared) -> None:
     session, display, panel = MockSession(), MockDisplay(), Panel()
     scaling = Scaling(session, display, panel)
-    scale = Scale(limit=3.0, tolerances=(0.1, 0.2), pinned=True)
+    scale = ScaleChoice(limit=3.0, tolerances=(0.1, 0.2), pinned=True)
     panel.changed.emit(scale)
     assert session.document.options.tolerances == (0.1, 0.2)
     assert session.views == [{"scale": scale}]
     panel.fit_asked.emit()  # nothing is shown yet
     assert not display.state.scale.pinned
-    display.set_content(result.content, "mm", Scale(limit=1e9))
+    display.set_content(result.content, "mm", ScaleChoice(limit=1e9))
     scaling.fit()
     assert display.state.scale.pinned
     largest = float(np.nanmax(np.abs(result.comparison.mean_abs)))
@@ -140,7 +140,7 @@ def test_a_section_has_a_profile_where_there_is_something_to_cut(result: Compare
     assert panel.seen["profile"] == (None, "", False)
     display.change(section=(-20.0, 0.0, 20.0, 0.0))
     assert panel.seen["profile"][0] is None
-    display.set_content(result.content, "mm", Scale())
+    display.set_content(result.content, "mm", ScaleChoice())
     profile, unit, _ = panel.seen["profile"]
     assert profile is not None
     assert unit == "mm"

@@ -13,14 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from surfcmp_core.colours.scale import (
-    WITHIN,
-    Scale,
-    band_colours,
-    bands_of,
-    scale_end,
-    scale_of,
-)
+from surfcmp_core.colours.maps import WITHIN
+from surfcmp_core.colours.scale import Scale, band_colours, bands_of, scale_end, scale_of
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report import WRITERS, make_document
 from surfcmp_core.report.figures import short_name
@@ -166,18 +160,19 @@ def test_the_scale_is_the_one_asked_for() -> None:
 
 
 def test_a_limit_belongs_to_the_band_nearer_zero() -> None:
-    scale = Scale(9.0, (0.5, 1.0))
+    plain = Scale(9.0, (0.5, 1.0))
+    signed = replace(plain, signed=True)
     values = np.array([-2, -1, -0.7, -0.5, -0.1, 0, 0.1, 0.5, 0.7, 1, 2, np.nan])
     assert np.array_equal(
-        bands_of(values, scale, True), [0, 1, 1, 2, 2, 2, 2, 2, 3, 3, 4, np.nan], equal_nan=True
+        bands_of(values, signed), [0, 1, 1, 2, 2, 2, 2, 2, 3, 3, 4, np.nan], equal_nan=True
     )
     assert np.array_equal(
-        bands_of(np.abs(values), scale, False), [2, 1, 1, 0, 0, 0, 0, 0, 1, 1, 2, np.nan], True
+        bands_of(np.abs(values), plain), [2, 1, 1, 0, 0, 0, 0, 0, 1, 1, 2, np.nan], True
     )
-    for signed, count in ((True, 5), (False, 3)):
-        colours = band_colours(scale, signed)
+    for scale, count in ((signed, 5), (plain, 3)):
+        colours = band_colours(scale)
         assert len({tuple(colour) for colour in colours.tolist()}) == count
-        assert tuple(colours[bands_of(np.zeros(1), scale, signed).astype(int)][0]) == WITHIN
+        assert tuple(colours[bands_of(np.zeros(1), scale).astype(int)][0]) == WITHIN
 
 
 def with_regions() -> tuple[Comparison, dict[str, Any]]:

@@ -7,9 +7,7 @@ import re
 import zipfile
 from pathlib import Path
 
-import numpy as np
 import pytest
-from matplotlib.colors import to_rgb
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QFileDialog
@@ -19,14 +17,10 @@ from app import settings
 from app.jobs.session_files import Fault
 from app.jobs.window_folder import Kept
 from app.model.tool import Tool
-from app.model.view_state import Heatmap, Scale
+from app.model.view_state import Heatmap, ScaleChoice
 from app.panels.command_palette import CommandPalette
 from app.panels.help import HelpDialog
-from app.scene import colour_maps
-from app.scene.distribution import fitting_limit
-from app.scene.quiet_colours import LIGHT
 from app.window import MainWindow
-from surfcmp_core.colours import scale
 from tests.window.conftest import PATIENCE
 from tests.window.hands import drop
 
@@ -57,7 +51,7 @@ def test_a_session_restores_everything(
     sample.alignment_of.add_landmark(1, sample.session.shown.content.geometry.origin)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        sample.scale.changed.emit(Scale(2.5, (0.3, 0.7), banded=True, pinned=True))
+        sample.scale.changed.emit(ScaleChoice(2.5, (0.3, 0.7), banded=True, pinned=True))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         sample.regions_of.draw(Tool.LASSO, ((-9.0, -9.0), (9.0, -9.0), (0.0, 9.0)))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
@@ -71,7 +65,7 @@ def test_a_session_restores_everything(
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, *files)
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
-        sample.scale.changed.emit(Scale(1.0, (0.5,), pinned=True))
+        sample.scale.changed.emit(ScaleChoice(1.0, (0.5,), pinned=True))
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         drop(sample, path)
     assert sample.session.document == document
@@ -279,7 +273,7 @@ def test_exports_have_the_scale_and_regions_of_the_window(
     with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
         sample.regions.weighed.emit(0, 2.0)
     tolerances = sample.display.state.scale.tolerances
-    sample.scale.changed.emit(Scale(1.5, tolerances, banded=True, pinned=True))
+    sample.scale.changed.emit(ScaleChoice(1.5, tolerances, banded=True, pinned=True))
     data = {}
     for ending in (".json", ".html", ".pdf"):
         path = tmp_path / f"out{ending}"
@@ -299,25 +293,6 @@ def test_exports_have_the_scale_and_regions_of_the_window(
     assert weighted == pytest.approx(2 * parts[0] + parts[1], rel=1e-12)
     assert b"Region 1" in data[".html"]
     assert data[".pdf"].count(b"/Subtype /Image") >= 2 + 4  # the maps, and the views
-
-
-def test_reports_colour_as_the_window_does(sample: MainWindow):
-    comparison = sample.session.shown.comparison
-    end = fitting_limit(sample.session.shown.content.distributions.absolute)
-    assert scale.scale_end(comparison) == end
-    values = np.random.default_rng(2).uniform(-3, 3, 999)
-    values[:7] = (0.5, -0.5, 1.0, -1.0, 2.0, -2.0, 0.0)
-    window_scale, report_scale = Scale(2.5), scale.Scale(2.5, (0.5, 1.0, 2.0))
-    for signed, kind in ((True, Heatmap.SIGNED), (False, Heatmap.ABSOLUTE)):
-        found = values if signed else np.abs(values)
-        bands = scale.bands_of(found, report_scale, signed).astype(int)
-        colours = scale.band_colours(report_scale, signed)[bands]
-        assert (colours == colour_maps.banded(found, window_scale, signed, (0, 0, 0))).all()
-        table = scale.colour_table(signed)
-        assert (table == colour_maps.map_of(kind)).all()
-    assert to_rgb(scale.ABOVE) == pytest.approx(np.array(colour_maps.ABOVE) / 255)
-    assert to_rgb(scale.BELOW) == pytest.approx(np.array(colour_maps.BELOW) / 255)
-    assert to_rgb(scale.NOT_COMPARED) == pytest.approx(np.array(LIGHT.no_data) / 255)
 
 
 def test_names_and_paths_can_be_hidden(

@@ -11,7 +11,7 @@ from app.model.document import Document, Motion
 from app.model.history import MOST_STEPS, Change, History, Step, change_between
 from app.model.landmark import Pair
 from app.model.region import Region, Stroke
-from app.model.view_state import Heatmap, Kept, Place, Scale
+from app.model.view_state import Heatmap, Kept, Place, ScaleChoice
 from app.window import MainWindow
 from surfcmp_core.comparing.comparison import Options
 from tests.window.conftest import PATIENCE
@@ -48,11 +48,11 @@ def test_undo_and_redo_walk_along_the_steps():
 def test_quick_changes_of_the_scale_are_one_step():
     history = History(FIRST)
     for limit in (2.0, 3.0, 4.0):
-        history.push(seen(scale=Scale(limit)), merged=True)
+        history.push(seen(scale=ScaleChoice(limit)), merged=True)
     assert history.undo() == FIRST
-    assert history.redo() == seen(scale=Scale(4.0))
-    history.push(seen(scale=Scale(4.0), heatmap=Heatmap.TRUST), merged=True)
-    assert history.undo() == seen(scale=Scale(4.0))
+    assert history.redo() == seen(scale=ScaleChoice(4.0))
+    history.push(seen(scale=ScaleChoice(4.0), heatmap=Heatmap.TRUST), merged=True)
+    assert history.undo() == seen(scale=ScaleChoice(4.0))
 
 
 def test_going_back_to_what_is_shown_keeps_what_was_undone():
@@ -113,7 +113,7 @@ REGION = Region("r", (1, 2, 3))
             of(regions=(replace(REGION, colour=(0, 0, 0)),)),
             Change.REGION_COLOUR,
         ),
-        (FIRST, seen(scale=Scale(banded=True)), Change.SCALE),
+        (FIRST, seen(scale=ScaleChoice(banded=True)), Change.SCALE),
         (FIRST, seen(heatmap=Heatmap.TRUST), Change.HEATMAP),
         (FIRST, seen(edges=False), Change.EDGES),
         (FIRST, seen(probes=(Place(1, (1, 0, 0)),)), Change.PROBES),

@@ -6,20 +6,21 @@ import numpy as np
 import pytest
 from scipy.interpolate import LinearNDInterpolator
 
-from app.model.view_state import Heatmap, Scale, ViewState
+from app.model.view_state import Heatmap, ScaleChoice, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.chain_table import chain_box, chain_table
 from app.scene.coarse import coarse_of
-from app.scene.colour_maps import ABOVE, BELOW, WITHIN, banded, colour_map, continuous
 from app.scene.content import content_of
-from app.scene.distribution import distribution_of, distributions_of, fitting_limit
+from app.scene.distribution import Distributions, distribution_of, distributions_of
 from app.scene.furniture import colour_bar, legend
 from app.scene.geometry import geometry_of, middle_height
 from app.scene.profile import profile_of
 from app.scene.quiet_colours import palette
 from app.scene.scene import heatmap_colours, scene_of, united_colours
-from app.scene.ticks import round_down, round_up, ticks
+from app.scene.ticks import round_down, ticks
 from app.scene.values import Trust, trust_of, values_of
+from surfcmp_core.colours.maps import ABOVE, BELOW, WITHIN, colour_map, spread
+from surfcmp_core.colours.scale import Scale, coloured, round_up
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.triangulation import triangulate
 
@@ -27,18 +28,18 @@ STATE = ViewState()
 
 
 def heat(comparison: Comparison, state: ViewState) -> np.ndarray:
-    return heatmap_colours(comparison, state.heatmap, state.scale, state.brush, state.dark)
+    return heatmap_colours(comparison, state.heatmap, state.colours, state.brush, state.dark)
 
 
 def test_zero_is_the_middle_of_a_signed_scale():
     table = colour_map("vik")
-    colours = continuous(np.array([0.0]), -3.0, 3.0, table, (1, 2, 3))
+    colours = spread(np.array([0.0]), -3.0, 3.0, table, (1, 2, 3))
     assert (colours[0] == table[128]).all()
 
 
 def test_beyond_the_scale_and_no_data_are_told_apart():
     values = np.array([-1.01, -1.0, 1.0, 1.01, np.nan])
-    colours = continuous(values, -1.0, 1.0, colour_map("vik"), (9, 9, 9))
+    colours = spread(values, -1.0, 1.0, colour_map("vik"), (9, 9, 9))
     assert tuple(colours[0]) == BELOW
     assert tuple(colours[3]) == ABOVE
     assert tuple(colours[4]) == (9, 9, 9)
@@ -47,18 +48,18 @@ def test_beyond_the_scale_and_no_data_are_told_apart():
 
 
 def test_a_tolerance_itself_is_within():
-    scale = Scale(tolerances=(0.5, 1.0), banded=True)
+    scale = Scale(9.0, (0.5, 1.0), signed=True)
     values = np.array([-0.5, 0.0, 0.5, np.nextafter(0.5, 1), np.nextafter(-0.5, -1)])
-    colours = [tuple(colour) for colour in banded(values, scale, True, (9, 9, 9)).tolist()]
+    colours = [tuple(colour) for colour in coloured(values, scale, (9, 9, 9)).tolist()]
     assert colours[:3] == [WITHIN] * 3
     assert colours[3] != WITHIN
     assert colours[4] not in {WITHIN, colours[3]}
 
 
 def test_bands_of_a_signed_scale_mirror_each_other():
-    scale = Scale(tolerances=(0.5, 1.0, 2.0), banded=True)
+    scale = Scale(9.0, (0.5, 1.0, 2.0), signed=True)
     values = np.array([0.7, 1.5, 3.0])
-    up, down = banded(values, scale, True, (0, 0, 0)), banded(-values, scale, True, (0, 0, 0))
+    up, down = coloured(values, scale, (0, 0, 0)), coloured(-values, scale, (0, 0, 0))
     assert len({tuple(c) for c in np.vstack([up, down]).tolist()}) == 6
 
 
@@ -151,7 +152,7 @@ def test_normals_point_up_and_have_unit_length(small: Comparison):
 
 
 def test_the_colour_bar_is_symmetric_when_signed(small: Comparison):
-    bar = colour_bar(small, replace(STATE, scale=Scale(limit=2.0)))
+    bar = colour_bar(small, replace(STATE, scale=ScaleChoice(limit=2.0)))
     assert bar is not None
     places = [place for place, _ in bar.ticks]
     assert [value for _, value in bar.ticks] == [-2.0, -1.0, 0.0, 1.0, 2.0]
@@ -161,21 +162,22 @@ def test_the_colour_bar_is_symmetric_when_signed(small: Comparison):
 
 
 def test_the_scale_of_absolute_differences_begins_at_zero(small: Comparison):
-    bar = colour_bar(small, replace(STATE, heatmap=Heatmap.ABSOLUTE, scale=Scale(limit=2.0)))
+    bar = colour_bar(small, replace(STATE, heatmap=Heatmap.ABSOLUTE, scale=ScaleChoice(limit=2.0)))
     assert bar is not None
     assert bar.ticks[0] == (0.0, 0.0)
     assert bar.below is None
 
 
 def test_a_banded_bar_changes_colour_at_its_ticks(small: Comparison):
-    scale = Scale(tolerances=(0.5, 1.0, 2.0), banded=True)
-    bar = colour_bar(small, replace(STATE, scale=scale))
+    scale = ScaleChoice(tolerances=(0.5, 1.0, 2.0), banded=True)
+    state = replace(STATE, scale=scale)
+    bar = colour_bar(small, state)
     assert bar is not None
     assert [value for _, value in bar.ticks] == [-2.0, -1.0, -0.5, 0.5, 1.0, 2.0]
     for place, value in bar.ticks:
         k = round(place * len(bar.colours))
         below, above = (
-            banded(np.array([value + e]), scale, True, (0, 0, 0)) for e in (-1e-9, 1e-9)
+            coloured(np.array([value + e]), state.colours, (0, 0, 0)) for e in (-1e-9, 1e-9)
         )
         assert (bar.colours[k - 1] == below[0]).all()
         assert (bar.colours[k] == above[0]).all()
@@ -212,7 +214,8 @@ def test_ticks_are_few_and_contain_zero(limit: float):
 
 def test_the_fitting_limit_leaves_a_hundredth_of_the_area_beyond():
     def limit(values: list[float]) -> float:
-        return fitting_limit(distribution_of(np.array(values), np.ones(len(values))))
+        found = distribution_of(np.array(values), np.ones(len(values)))
+        return Distributions(found, found).fitting_end
 
     assert limit([0.4] * 99 + [50.0]) == 0.5
     assert limit([0.4] * 98 + [50.0] * 2) == 50.0

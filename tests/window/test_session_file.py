@@ -14,7 +14,7 @@ from app.model.document import FIT_KEYS, Document, Motion
 from app.model.landmark import Pair
 from app.model.region import Region, Stroke
 from app.model.session_text import Eye, from_text, regions_from, regions_text, to_text, write
-from app.model.view_state import Heatmap, Place, Scale, ViewState
+from app.model.view_state import Heatmap, Place, ScaleChoice, ViewState
 from surfcmp_core.comparing.comparison import Options
 from surfcmp_core.errors import Cancelled, InputError
 from surfcmp_core.system.progress import silent
@@ -54,7 +54,7 @@ states = st.builds(
     ViewState,
     relief=st.booleans(),
     heatmap=st.sampled_from(list(Heatmap)),
-    scale=st.builds(Scale, positive, st.tuples(positive), st.booleans(), st.booleans()),
+    scale=st.builds(ScaleChoice, positive, st.tuples(positive), st.booleans(), st.booleans()),
     picked=st.none() | place,
     probes=st.lists(place, max_size=2).map(tuple),
     brush=st.none() | st.tuples(number, number),
