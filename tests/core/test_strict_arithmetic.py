@@ -26,11 +26,11 @@ FORBIDDEN = {
 HARMLESS = {
     "alignment/account.py": {"atan2"},  # an angle that is rounded
     "io/triangles.py": {"**", "arctan2"},  # whole numbers; turns, to a billionth of one
-    "io/units.py": {"**"},  # fractions: exact
+    "io/stated_units.py": {"**"},  # fractions: exact
     "report/numbers.py": {"acos", "log10"},  # an angle that is shown, and with how many digits
-    "verification/sums.py": {"hypot"},  # which corner of a triangle to measure from
-    "verification/united.py": {"hypot"},  # lengths that are compared within bounds
-    "report/scale.py": {"log10"},  # round ends of a scale of colours
+    "comparing/verification/check_sums.py": {"hypot"},  # which corner of a triangle to measure from
+    "comparing/verification/check_united.py": {"hypot"},  # lengths that are compared within bounds
+    "colours/scale.py": {"log10"},  # round ends of a scale of colours
 }
 
 
