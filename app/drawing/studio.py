@@ -245,10 +245,9 @@ class _Hand:
         return not self._overtaken()
 
     def _scene(self, wish: Wish, *, sketch: bool = False) -> "Scene":
-        from app.scene.scene import forget, scene_of
+        from app.scene.scene import scene_of
 
         if wish.content is not self._content:
-            forget()
             self._seen.clear()
             self._content = wish.content
         scene = scene_of(wish.content, wish.state, sketch=sketch)

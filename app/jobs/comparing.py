@@ -17,8 +17,8 @@ from app.jobs.region_measures import (
     with_tolerances,
 )
 from app.model.document import NOT_MOVED, Document
+from app.scene.borders import borders_of
 from app.scene.content import Content, content_of
-from app.scene.lines import borders_of
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.progress import Progress

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,7 +43,6 @@ def region_of(comparison: Comparison, regions: tuple[Region, ...]) -> NDArray[np
     return number
 
 
-@lru_cache(maxsize=1)
 def centroids(united: United) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return x and y (M,) of the middle of each triangle."""
     a, b, c = united.triangles.T

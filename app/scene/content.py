@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.borders import borders_of
+from app.scene.cache import Cache
 from app.scene.chain_table import ChainTable, chain_table
 from app.scene.distribution import Distributions, distributions_of
 from app.scene.geometry import Geometry, geometry_of
-from app.scene.lines import borders_of
 from surfcmp_core.colours.maps import Rgb, difference_map
 
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ class Content:
     counts: dict[str, int]
     borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
     """Sides of T around each region, and its colour."""
+    cache: Cache = field(default_factory=Cache, init=False)
+    """Of what the views show: it ends with the content."""
 
 
 def content_of(

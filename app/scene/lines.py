@@ -1,21 +1,18 @@
-"""Lines on the surfaces: the regions' borders, the section."""
+"""Lines drawn over the surfaces: the regions' borders, the section."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.view_state import ViewState
+from app.scene.content import Content
 from app.scene.pick import heights_at
 from app.scene.profile import profile_of
 from app.scene.quiet_colours import Palette
 from surfcmp_core.colours.maps import Colours, Rgb
-
-if TYPE_CHECKING:
-    from app.scene.content import Content
 
 Segments = NDArray[np.float32]
 """(k, 2, 3)."""
@@ -50,7 +47,7 @@ def section_line(content: Content, state: ViewState, view: int) -> Segments:
     """Return the section's line, laid on the surface a view shows."""
     assert state.section is not None
     x0, y0, x1, y1 = state.section
-    profile = profile_of(content.comparison, state.section, content.geometry)
+    profile = content.cache(profile_of, content.comparison, state.section, content.geometry)
     share = profile.along / (math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)) or 1.0)
     z1 = np.where(np.isnan(profile.z1), profile.z2, profile.z1)
     z2 = np.where(np.isnan(profile.z2), profile.z1, profile.z2)
@@ -60,22 +57,3 @@ def section_line(content: Content, state: ViewState, view: int) -> Segments:
     if len(points) < 2:
         return np.zeros((0, 2, 3), dtype=np.float32)
     return np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
-
-
-def borders_of(
-    triangles: NDArray[np.int32], region: NDArray[np.int32], colours: list[Rgb]
-) -> tuple[tuple[NDArray[np.int32], Rgb], ...]:
-    """Return for each region the sides of triangles (k, 2) between it and what it is not."""
-    if not colours:
-        return ()
-    found = []
-    for k, colour in enumerate(colours):
-        mine = triangles[region == k].astype(np.int64)
-        ends = mine[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-        sides = np.sort((ends.min(axis=1) << 32) | ends.max(axis=1))
-        changes = np.ones(len(sides) + 1, dtype=bool)
-        changes[1:-1] = sides[1:] != sides[:-1]
-        once = sides[changes[1:] & changes[:-1]]
-        outline = np.stack([once >> 32, once & 0xFFFFFFFF], axis=1)
-        found.append((outline.astype(np.int32), colour))
-    return tuple(found)

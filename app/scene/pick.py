@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,27 +11,42 @@ from numpy.typing import NDArray
 
 from app.model.view_state import Place
 from app.scene.camera import Camera, Vector
+from app.scene.content import Content
 from app.scene.geometry import RUN, Geometry, Patch
 
 if TYPE_CHECKING:
-    from app.scene.content import Content
     from surfcmp_core.comparing.comparison import Comparison
 
+
+Shadows = tuple[Vector, Vector]
+"""Middles and half the sizes (k, 2) of a patch's boxes as a camera sees them."""
 
 SIDEWAYS = 0.2
 """Where the line of sight rises less than this, it meets a level too far away."""
 
 
-def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> Place | None:
+def place_at(
+    patch: Patch,
+    camera: Camera,
+    relief: bool,
+    right: float,
+    up: float,
+    shadows: Shadows | None = None,
+) -> Place | None:
     """Return the nearest place of `patch` seen at a point of the picture, or None.
 
     Parameters
     ----------
     right, up : float
         In shares of the picture's height from its middle, as `Camera.project` gives.
+    shadows
+        Of the patch, as this camera sees it, where they are known.
     """
     lift = np.array([1.0, 1.0, float(relief)])
-    found = _near(patch, camera, relief, right, up)
+    shadows = shadows or shadows_of(patch, camera, relief)
+    found = np.arange(len(patch.triangles))
+    if shadows is not None:
+        found = numbers_in(patch, (np.abs(shadows[0] - (right, up)) <= shadows[1]).all(axis=1))
     seen = camera.project(patch.points[patch.triangles[found].ravel()].astype(np.float64) * lift)
     x, y, depth = seen.T.reshape(3, -1, 3).transpose(0, 2, 1)
     x, y = x - right, y - up
@@ -49,25 +63,16 @@ def place_at(patch: Patch, camera: Camera, relief: bool, right: float, up: float
     return Place(int(found[hit][nearest]), (first, second, third))
 
 
-def _near(patch: Patch, camera: Camera, relief: bool, right: float, up: float) -> NDArray[np.intp]:
-    """Return the triangles of all boxes that may cover a point of the picture."""
-    if patch.boxes is None:
-        return np.arange(len(patch.triangles))
-    middle, half = shadows(patch, camera, relief)
-    near = (np.abs(middle - (right, up)) <= half).all(axis=1)
-    return numbers_in(patch, near)
-
-
 def numbers_in(patch: Patch, boxes: NDArray[np.bool_]) -> NDArray[np.intp]:
     """Return the triangles of some of a patch's boxes."""
     runs = np.flatnonzero(boxes)[:, None] * RUN + np.arange(RUN)
     return runs[runs < len(patch.triangles)]
 
 
-@lru_cache(maxsize=3)
-def shadows(patch: Patch, camera: Camera, relief: bool) -> tuple[Vector, Vector]:
-    """Return the middles and half the sizes (k, 2) of a patch's boxes as the camera sees them."""
-    assert patch.boxes is not None
+def shadows_of(patch: Patch, camera: Camera, relief: bool) -> Shadows | None:
+    """Return where the camera sees a patch's boxes; None where it has none."""
+    if patch.boxes is None:
+        return None
     lift = np.array([1.0, 1.0, float(relief)])
     low, high = patch.boxes[:, 0].astype(np.float64), patch.boxes[:, 1].astype(np.float64)
     middle, half = (low + high) / 2 * lift, (high - low) / 2 * lift
@@ -91,11 +96,17 @@ def place_in_view(
 
 
 def point_in_view(
-    geometry: Geometry, camera: Camera, relief: bool, view: int, right: float, up: float
+    geometry: Geometry,
+    camera: Camera,
+    relief: bool,
+    view: int,
+    right: float,
+    up: float,
+    shadows: Shadows | None = None,
 ) -> Vector | None:
     """Return (3,) the point of the surface a view shows, in the scene's coordinates, or None."""
     patch = geometry.patches[min(view, 2)]
-    place = place_at(patch, camera, relief, right, up)
+    place = place_at(patch, camera, relief, right, up, shadows)
     if place is None:
         return None
     corners = patch.points[patch.triangles[place.triangle]].astype(np.float64)
@@ -114,9 +125,10 @@ def path_in_view(
     Beside the surface it runs on the level of the surface's point before, or of the first one. A
     relief seen from its side has no such level there: those places are left out.
     """
-    points = [
-        point_in_view(geometry, camera, relief, view, *place) if relief else None for place in path
-    ]
+    points: list[Vector | None] = [None] * len(path)
+    if relief:
+        shadows = shadows_of(geometry.patches[min(view, 2)], camera, relief)
+        points = [point_in_view(geometry, camera, relief, view, *place, shadows) for place in path]
     heights = [point[2] for point in points if point is not None]
     level = float(heights[0]) if heights else 0.0
     back, found = np.array(camera.back), []

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -43,7 +42,6 @@ class Profile:
         return self.z1 - self.z2
 
 
-@lru_cache(maxsize=2)
 def profile_of(comparison: Comparison, line: Line, geometry: Geometry | None = None) -> Profile:
     """Return the profile along a line; empty where it does not meet T.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,17 +11,15 @@ from numpy.typing import NDArray
 from app.model.view_state import Heatmap, ViewState
 from app.scene.chain_colours import chain_colours
 from app.scene.coarse import Coarse
+from app.scene.content import Content
 from app.scene.geometry import Patch
 from app.scene.lines import Segments, lines_of
-from app.scene.pick import shadows
-from app.scene.profile import profile_of
 from app.scene.quiet_colours import Palette, palette
 from app.scene.values import Trust, values_of
 from surfcmp_core.colours.maps import Colours, Rgb, height_map, spread
 from surfcmp_core.colours.scale import Scale, coloured
 
 if TYPE_CHECKING:  # the window is on the screen before the core is loaded
-    from app.scene.content import Content
     from surfcmp_core.comparing.comparison import Comparison
 
 VIEWS = 4
@@ -101,23 +98,23 @@ class Scene:
 
 def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Scene:
     """Return what the four views show; a `sketch` only what is drawn while the camera moves."""
-    comparison, geometry = content.comparison, content.geometry
+    comparison, geometry, cache = content.comparison, content.geometry, content.cache
     quiet = palette(state.dark)
     patches = (*geometry.patches, geometry.patches[2])
 
     def paint(view: int, coarse: Coarse | None) -> Colours | Rgb:
         if view < 2:
             plain = (quiet.surface_1, quiet.surface_2)[view]
-            return surface_colours(patches[view], plain, state.dark, coarse)
+            return cache(surface_colours, patches[view], plain, state.dark, coarse)
         if view == 2:
-            return united_colours(comparison, state.chain, state.dark, coarse)
+            return cache(united_colours, comparison, state.chain, state.dark, coarse)
         kind, scale = state.heatmap, visible_part(state.colours)
-        return heatmap_colours(comparison, kind, scale, state.brush, state.dark, coarse)
+        return cache(heatmap_colours, comparison, kind, scale, state.brush, state.dark, coarse)
 
     def node_colours(view: int) -> Colours:
         if view < 2:
-            return plain_nodes(len(patches[view].points), view + 1, state.dark)
-        return united_nodes(comparison, state.dark)
+            return cache(plain_nodes, len(patches[view].points), view + 1, state.dark)
+        return cache(united_nodes, comparison, state.dark)
 
     lines = [lines_of(content, state, quiet, view) for view in range(VIEWS)]
     layers = [
@@ -142,20 +139,11 @@ def visible_part(scale: Scale) -> Scale:
     return replace(scale, end=1.0) if scale.bands else scale
 
 
-def forget() -> None:
-    """Let go of all that is kept of comparisons shown before."""
-    colours = (plain_nodes, united_nodes, surface_colours, united_colours, heatmap_colours)
-    for function in (*colours, profile_of, shadows):
-        function.cache_clear()
-
-
-@lru_cache(maxsize=2)
 def plain_nodes(count: int, surface: int, dark: bool) -> Colours:
     """Return (count, 3) the colour of all nodes of surface 1 or 2."""
     return np.tile(node_table(dark)[surface], (count, 1))
 
 
-@lru_cache(maxsize=1)
 def united_nodes(comparison: Comparison, dark: bool) -> Colours:
     """Return (N, 3) the colours of T's nodes: of 1, of 2, shared."""
     return np.asarray(node_table(dark)[comparison.united.label])
@@ -167,7 +155,6 @@ def node_table(dark: bool) -> Colours:
     return np.array([quiet.shared, quiet.node_1, quiet.node_2, quiet.edge], dtype=np.uint8)
 
 
-@lru_cache(maxsize=4)
 def surface_colours(
     patch: Patch, colour: Rgb, dark: bool, coarse: Coarse | None = None
 ) -> Colours | Rgb:
@@ -180,7 +167,6 @@ def surface_colours(
     return np.asarray(table[data.astype(np.intp)])
 
 
-@lru_cache(maxsize=2)
 def united_colours(
     comparison: Comparison, chosen: int | None, dark: bool, coarse: Coarse | None = None
 ) -> Colours:
@@ -202,7 +188,6 @@ def united_colours(
     return colours
 
 
-@lru_cache(maxsize=2)
 def heatmap_colours(
     comparison: Comparison,
     heatmap: Heatmap,
