@@ -6,18 +6,26 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app import settings
+from app.controllers.display import Display
 from app.look.texts import QT_TRANSLATE_NOOP
 from app.model.history import Change
 from app.model.tool import Tool
 from app.panels.command_palette import CommandPalette
+from app.panels.dock import Docks
 from app.panels.help import HelpDialog, HelpPages
+from app.panels.measures_panel import MeasuresPanel
 from app.scene.scene import VIEWS
+from app.views.four_views import ViewGrid
 
-if TYPE_CHECKING:
-    from app.window import MainWindow
+if TYPE_CHECKING:  # the menus are on the screen before the core is loaded
+    from app.controllers.exporting import Exporting
+    from app.controllers.opening import Opening
+    from app.controllers.probing import Places
+    from app.controllers.saving import Sessions
+    from app.controllers.session import Session
 
 KINDS = {
     ".html": QT_TRANSLATE_NOOP("Actions", "Report as a page"),
@@ -33,32 +41,46 @@ KINDS = {
 
 
 class Actions(QObject):
-    """The menus, and what stands behind them."""
+    """The menus of a window, and what stands behind them.
 
-    def __init__(self, window: "MainWindow") -> None:
+    They are there before the core is loaded; until `tie` nothing can be done with them.
+    """
+
+    _session: "Session"
+    _opening: "Opening"
+    _sessions: "Sessions"
+    _exporting: "Exporting"
+    _places: "Places"
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        display: Display,
+        grid: ViewGrid,
+        docks: Docks,
+        measures: MeasuresPanel,
+    ) -> None:
         super().__init__(window)
         self._window = window
+        self._display = display
+        self._grid = grid
         self.all: list[QAction] = []
         bar = window.menuBar()
         file = bar.addMenu(self.tr("&File"))
-        self._add(
-            file, self.tr("&Open two surfaces…"), lambda: window.opening.open_both(), "Ctrl+O"
-        )
-        self._add(file, self.tr("Open surface &1…"), lambda: window.opening.open_one(1), "Ctrl+1")
-        self._add(file, self.tr("Open surface &2…"), lambda: window.opening.open_one(2), "Ctrl+2")
-        self._add(file, self.tr("Open the &sample faces"), lambda: window.opening.open_sample())
+        self._add(file, self.tr("&Open two surfaces…"), lambda: self._opening.open_both(), "Ctrl+O")
+        self._add(file, self.tr("Open surface &1…"), lambda: self._opening.open_one(1), "Ctrl+1")
+        self._add(file, self.tr("Open surface &2…"), lambda: self._opening.open_one(2), "Ctrl+2")
+        self._add(file, self.tr("Open the &sample faces"), lambda: self._opening.open_sample())
         self.recent = file.addMenu(self.tr("&Recent"))
         self.recent.aboutToShow.connect(self._list_recent)
         file.addSeparator()
-        self._add(
-            file, self.tr("&Save the session"), lambda: window.sessions.save_again(), "Ctrl+S"
-        )
+        self._add(file, self.tr("&Save the session"), lambda: self._sessions.save_again(), "Ctrl+S")
         elsewhere = self.tr("Save the session as…")
-        self._add(file, elsewhere, lambda: window.sessions.ask_save(), "Ctrl+Shift+S")
-        self._add(file, self.tr("Open a session…"), lambda: window.sessions.ask_open())
+        self._add(file, elsewhere, lambda: self._sessions.ask_save(), "Ctrl+Shift+S")
+        self._add(file, self.tr("Open a session…"), lambda: self._sessions.ask_open())
         self.export = file.addMenu(self.tr("&Export"))
         report = self.tr("Report as a page and on paper (.html, .pdf)…")
-        self._add(self.export, report, lambda: window.exporting.ask_report(), "Ctrl+P")
+        self._add(self.export, report, lambda: self._exporting.ask_report(), "Ctrl+P")
         for ending, name in KINDS.items():
             text = f"{self.tr(name)} ({ending})…"
             self._add(self.export, text, partial(self._export, ending))
@@ -72,29 +94,29 @@ class Actions(QObject):
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
-        self.undo = self._add(edit, self.tr("&Undo"), lambda: window.session.undo(), "Ctrl+Z")
-        self.redo = self._add(edit, self.tr("&Redo"), lambda: window.session.redo(), "Ctrl+Shift+Z")
+        self.undo = self._add(edit, self.tr("&Undo"), lambda: self._session.undo(), "Ctrl+Z")
+        self.redo = self._add(edit, self.tr("&Redo"), lambda: self._session.redo(), "Ctrl+Shift+Z")
         edit.addSeparator()
         self.swap = self._add(
-            edit, self.tr("&Exchange surfaces"), lambda: window.opening.swap_surfaces(), "Ctrl+E"
+            edit, self.tr("&Exchange surfaces"), lambda: self._opening.swap_surfaces(), "Ctrl+E"
         )
-        self._add(edit, self.tr("&Copy measures as table"), window.measures.copy_table)
+        self._add(edit, self.tr("&Copy measures as table"), measures.copy_table)
         self.cancel = self._add(edit, self.tr("&Stop, or let go"), self.stop, "Esc")
         self.view_menu = bar.addMenu(self.tr("&View"))
-        names = [frame.canvas.accessibleName() for frame in window.grid.frames]
+        names = [frame.canvas.accessibleName() for frame in grid.frames]
         for view in range(VIEWS):
             text = self.tr("Only {}").format(names[view].lower())
             self._add(self.view_menu, text, partial(self._fill, view), str(view + 1))
         self._add(self.view_menu, self.tr("All four views"), lambda: self._fill(None), "0")
         self.view_menu.addSeparator()
         self._add(self.view_menu, self.tr("Map or relief"), self.toggle_relief, "M")
-        self._add(self.view_menu, self.tr("Show everything"), window.display.go_home, "Home")
+        self._add(self.view_menu, self.tr("Show everything"), display.go_home, "Home")
         above = self.tr("Look from above")
-        self._add(self.view_menu, above, window.display.look_from_above, "T")
+        self._add(self.view_menu, above, display.look_from_above, "T")
         self._add(self.view_menu, self.tr("Triangles' sides"), self.toggle_edges, "E")
         self._add(self.view_menu, self.tr("Dark or light"), self.toggle_dark, "Ctrl+D")
         keep = self.tr("Keep the label")
-        self._add(self.view_menu, keep, lambda: window.places.keep(), "K")
+        self._add(self.view_menu, keep, lambda: self._places.keep(), "K")
         self.view_menu.addSeparator()
         tools = ((Tool.LOOK, "V"), (Tool.LASSO, "L"), (Tool.BRUSH, "B"), (Tool.SECTION, "S"))
         names_of = {
@@ -104,18 +126,40 @@ class Actions(QObject):
             Tool.SECTION: self.tr("Draw a section"),
         }
         for tool, keys in tools:
-            self._add(self.view_menu, names_of[tool], partial(window.display.use, tool), keys)
+            self._add(self.view_menu, names_of[tool], partial(display.use, tool), keys)
         self.view_menu.addSeparator()
         panels = self.view_menu.addMenu(self.tr("Panels"))
-        for dock in window.docks:
+        for dock in docks.all:
             panels.addAction(dock.toggleViewAction())
         panels.addSeparator()
-        self._add(panels, self.tr("Panels as at first"), window.arrange_as_at_first)
+        self._add(panels, self.tr("Panels as at first"), docks.arrange_as_at_first)
         about = bar.addMenu(self.tr("&Help"))
         self._add(about, self.tr("&Guide"), self.show_guide, "F1")
         self._add(about, self.tr("&Keys and mouse"), self.show_shortcuts, "?")
         self._add(about, self.tr("&Find an action…"), self.show_palette, "Ctrl+K")
         self._add(about, self.tr("&About"), self.show_about)
+
+    def tie(
+        self,
+        session: "Session",
+        opening: "Opening",
+        sessions: "Sessions",
+        exporting: "Exporting",
+        places: "Places",
+    ) -> None:
+        """Let the actions act."""
+        self._session = session
+        self._opening = opening
+        self._sessions = sessions
+        self._exporting = exporting
+        self._places = places
+        session.changed.connect(self._follow)
+        self._follow()
+
+    def _follow(self) -> None:
+        history = self._session.history
+        self.show_steps(history.undoable, history.redoable)
+        self.swap.setEnabled(self._session.document.complete)
 
     def show_steps(self, undoable: Change | None, redoable: Change | None) -> None:
         """Say what undo takes back and what redo does again."""
@@ -146,11 +190,11 @@ class Actions(QObject):
 
     def stop(self) -> None:
         """Stop comparing; where nothing runs, let go of what is picked, chosen or brushed."""
-        if self._window.session.runner.busy:
-            self._window.session.runner.cancel()
+        if self._session.runner.busy:
+            self._session.runner.cancel()
         else:
-            self._window.display.use(Tool.LOOK)
-            self._window.display.change(chain=None, picked=None, brush=None)
+            self._display.use(Tool.LOOK)
+            self._display.change(chain=None, picked=None, brush=None)
 
     def show_palette(self) -> None:
         """Let the user type what to do."""
@@ -163,7 +207,7 @@ class Actions(QObject):
 
     def show_guide(self) -> None:
         """Open the guide, with pictures of what is shown now."""
-        frames = self._window.grid.frames if self._window.display.content else []
+        frames = self._grid.frames if self._display.content else []
         pictures = [frame.canvas.grab().toImage() for frame in frames]
         self._help(self.tr("Guide"), HelpPages().guide(pictures))
 
@@ -183,7 +227,7 @@ class Actions(QObject):
         for pair in settings.recent_pairs():
             action = self.recent.addAction(" – ".join(path.name for path in pair))
             action.setToolTip("\n".join(map(str, pair)))
-            action.triggered.connect(lambda _=False, p=pair: self._window.session.open(p))
+            action.triggered.connect(lambda _=False, p=pair: self._session.open(p))
         if self.recent.isEmpty():
             self.recent.addAction(self.tr("Nothing yet")).setEnabled(False)
         else:
@@ -192,30 +236,30 @@ class Actions(QObject):
             forget.triggered.connect(lambda _=False: settings.forget_pairs())
 
     def _export(self, ending: str) -> None:
-        self._window.exporting.ask(ending)
+        self._exporting.ask(ending)
 
     def _export_views(self, density: int) -> None:
-        self._window.exporting.ask_views(density)
+        self._exporting.ask_views(density)
 
     def _hide_names(self) -> None:
         settings.hide_names(self.hide.isChecked())
 
     def _fill(self, view: int | None) -> None:
-        self._window.display.change(filled=view)
+        self._display.change(filled=view)
 
     def toggle_relief(self) -> None:
         """Switch."""
-        self._window.display.change(relief=not self._window.display.state.relief)
+        self._display.change(relief=not self._display.state.relief)
 
     def toggle_edges(self) -> None:
         """Switch."""
-        self._window.display.change(edges=not self._window.display.state.edges)
+        self._display.change(edges=not self._display.state.edges)
 
     def toggle_dark(self) -> None:
         """Switch."""
-        dark = not self._window.display.state.dark
+        dark = not self._display.state.dark
         settings.remember_dark(dark)
-        self._window.display.change(dark=dark)
+        self._display.change(dark=dark)
 
     def _add(self, menu: QMenu, text: str, work: Callable[[], object], keys: str = "") -> QAction:
         action = QAction(text, self._window)

@@ -6,14 +6,12 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, override
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QApplication,
     QLabel,
     QMainWindow,
     QStackedWidget,
-    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -26,7 +24,7 @@ from app.panels.alignment_panel import AlignmentPanel
 from app.panels.banner import Banner
 from app.panels.chains_panel import ChainsPanel
 from app.panels.dialogs import Dialogs
-from app.panels.dock import Dock, Docks
+from app.panels.dock import Docks
 from app.panels.empty import EmptyState
 from app.panels.measures_panel import MeasuresPanel
 from app.panels.options_panel import OptionsPanel
@@ -99,33 +97,32 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.toolbar)
         self.measures = MeasuresPanel()
         self.scale = ScalePanel()
-        self._docks = Docks(self)
-        self.docks = self._docks.all
-        self._docks.add("measures", self.tr("Measures"), self.measures)
+        self.docks = Docks(self)
+        self.docks.add("measures", self.tr("Measures"), self.measures)
         self.regions = RegionsPanel()
-        self._docks.add("regions", self.tr("Regions"), self.regions)
+        self.docks.add("regions", self.tr("Regions"), self.regions)
         self.chains = ChainsPanel()
-        self._docks.add("chains", self.tr("Chains"), self.chains)
+        self.docks.add("chains", self.tr("Chains"), self.chains)
         self.probes = ProbesPanel()
-        self._docks.add("probes", self.tr("Places"), self.probes)
-        upper = self.docks[:]
+        self.docks.add("probes", self.tr("Places"), self.probes)
+        upper = self.docks.all[:]
         self.section = SectionPanel()
         self.alignment = AlignmentPanel()
         self.options = OptionsPanel()
-        self._docks.add("scale", self.tr("Scale"), self.scale)
-        self._docks.add("section", self.tr("Section"), self.section)
-        self._docks.add("alignment", self.tr("Alignment"), self.alignment)
-        self._docks.add("options", self.tr("Options"), self.options)
-        self._arrange(upper, self.docks[len(upper) :])
+        self.docks.add("scale", self.tr("Scale"), self.scale)
+        self.docks.add("section", self.tr("Section"), self.section)
+        self.docks.add("alignment", self.tr("Alignment"), self.alignment)
+        self.docks.add("options", self.tr("Options"), self.options)
+        lower = self.docks.all[len(upper) :]
         self.status = QLabel()
         self.status.setContentsMargins(UNIT, 0, 0, 0)
         self.progress = ProgressStrip()
         self.statusBar().addWidget(self.status, 1)
         self.statusBar().addPermanentWidget(self.progress)
         self.statusBar().setSizeGripEnabled(False)
-        self._first_arrangement = self.saveState()
+        self.docks.arrange(upper, lower)
         self.display = Display(self.grid)
-        self.actions_of = Actions(self)
+        self.actions_of = Actions(self, self.display, self.grid, self.docks, self.measures)
         self.display.change(dark=settings.dark_wanted())
         self.dress(self.display.state.dark)
         geometry, arrangement = settings.window_layout()
@@ -176,15 +173,9 @@ class MainWindow(QMainWindow):
                 telling,
             ),
         )
-        session.changed.connect(self._show_steps)
-        self._show_steps()
+        self.actions_of.tie(session, self.opening, self.sessions, self.exporting, self.places)
         session.compared.connect(collect_garbage)
         session.failed.connect(collect_garbage)
-
-    def _show_steps(self) -> None:
-        history = self.session.history
-        self.actions_of.show_steps(history.undoable, history.redoable)
-        self.actions_of.swap.setEnabled(self.session.document.complete)
 
     def show_views(self, there: bool) -> None:
         """Show the views, or what to do where there is nothing to view."""
@@ -198,24 +189,6 @@ class MainWindow(QMainWindow):
         """Show what is compared, and in short what came of it."""
         self.setWindowTitle(title)
         self.status.setText(summary)
-
-    def _arrange(self, *groups: list[Dock]) -> None:
-        """Put each group of panels behind one row of tabs; their names stand there."""
-        option = QMainWindow.DockOption
-        self.setDockOptions(
-            option.AllowTabbedDocks | option.AllowNestedDocks | option.GroupedDragging
-        )
-        self.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
-        for group in groups:
-            for dock in group[1:]:
-                self.tabifyDockWidget(group[0], dock)
-            group[0].raise_()
-        heads = [group[0] for group in groups]
-        self.resizeDocks(heads, [376] * len(heads), Qt.Orientation.Horizontal)
-
-    def arrange_as_at_first(self) -> None:
-        """Put all panels back where they were at the first start."""
-        self.restoreState(self._first_arrangement)
 
     def dress(self, dark: bool) -> None:
         """Put on the dark or the light theme."""

@@ -1,9 +1,10 @@
 """A panel's dock: has a title where nothing else says its name."""
 
+from collections.abc import Sequence
 from typing import override
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QTabWidget, QWidget
 
 from app.look.theme import UNIT
 
@@ -55,6 +56,7 @@ class Docks:
     def __init__(self, window: QMainWindow) -> None:
         self._window = window
         self.all: list[Dock] = []
+        self._first = QByteArray()
         self._soon = QTimer(window, singleShot=True, interval=0)
         self._soon.timeout.connect(self._settle)
 
@@ -66,6 +68,25 @@ class Docks:
             moved.connect(lambda _: self._soon.start())
         self.all.append(dock)
         return dock
+
+    def arrange(self, *groups: Sequence[Dock]) -> None:
+        """Put each group of panels behind one row of tabs; their names stand there."""
+        window, option = self._window, QMainWindow.DockOption
+        window.setDockOptions(
+            option.AllowTabbedDocks | option.AllowNestedDocks | option.GroupedDragging
+        )
+        window.setTabPosition(Qt.DockWidgetArea.RightDockWidgetArea, QTabWidget.TabPosition.North)
+        for group in groups:
+            for dock in group[1:]:
+                window.tabifyDockWidget(group[0], dock)
+            group[0].raise_()
+        heads = [group[0] for group in groups]
+        window.resizeDocks(heads, [376] * len(heads), Qt.Orientation.Horizontal)
+        self._first = window.saveState()
+
+    def arrange_as_at_first(self) -> None:
+        """Put all panels back where they were at the first start."""
+        self._window.restoreState(self._first)
 
     def _settle(self) -> None:
         for dock in self.all:

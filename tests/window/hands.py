@@ -23,7 +23,7 @@ def drag(qtbot: QtBot, widget: QWidget, *places: tuple[float, float]) -> None:
 
 
 def show(window: MainWindow, name: str) -> None:
-    dock = next(dock for dock in window.docks if dock.objectName() == name)
+    dock = next(dock for dock in window.docks.all if dock.objectName() == name)
     dock.show()
     dock.raise_()
 

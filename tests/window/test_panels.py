@@ -178,7 +178,7 @@ def test_a_panel_is_dragged_out_by_its_tab_and_put_back(window: MainWindow, qtbo
         for bar in window.findChildren(QTabBar)
         if bar.isVisible() and "Chains" in [bar.tabText(k) for k in range(bar.count())]
     )
-    chains = next(dock for dock in window.docks if dock.objectName() == "chains")
+    chains = next(dock for dock in window.docks.all if dock.objectName() == "chains")
     assert chains.titleBarWidget() is not None
     number = [tabs.tabText(k) for k in range(tabs.count())].index("Chains")
     start = tabs.tabRect(number).center()
@@ -187,13 +187,13 @@ def test_a_panel_is_dragged_out_by_its_tab_and_put_back(window: MainWindow, qtbo
         qtbot.mouseMove(tabs, start + QPoint(-20 * step, 15 * step), delay=5)
     qtbot.mouseRelease(tabs, LEFT, pos=start + QPoint(-300, 220))
     qtbot.waitUntil(lambda: chains.isFloating() and chains.titleBarWidget() is None)
-    window.arrange_as_at_first()
+    window.docks.arrange_as_at_first()
     qtbot.waitUntil(lambda: not chains.isFloating() and chains.titleBarWidget() is not None)
 
 
 def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot):
     scale, chains = (
-        next(dock for dock in window.docks if dock.objectName() == name)
+        next(dock for dock in window.docks.all if dock.objectName() == name)
         for name in ("scale", "chains")
     )
     chains.toggleViewAction().trigger()
@@ -203,7 +203,7 @@ def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot)
     qtbot.addWidget(again)
     again.show()
     again.start()
-    docks = {dock.objectName(): dock for dock in again.docks}
+    docks = {dock.objectName(): dock for dock in again.docks.all}
     assert again.dockWidgetArea(docks["scale"]) == Qt.DockWidgetArea.LeftDockWidgetArea
     assert docks["chains"].isHidden()
     qtbot.wait(100)
@@ -215,7 +215,7 @@ def test_the_arrangement_is_kept_over_restarts(window: MainWindow, qtbot: QtBot)
 
 def test_no_panel_is_wider_than_its_dock(sample: MainWindow, qtbot: QtBot):
     sample.display.change(section=(-40.0, 0.0, 40.0, 5.0))
-    for dock in sample.docks:
+    for dock in sample.docks.all:
         dock.show()
         dock.raise_()
         qtbot.wait(20)

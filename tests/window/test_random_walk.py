@@ -146,7 +146,7 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         window.actions_of.toggle_edges,
         window.actions_of.stop,
         lambda: window.chains.model.rowCount() and window.chains_of.fly_to(0),
-        lambda: chance.choice(window.docks).setVisible(chance.random() < 0.7),
+        lambda: chance.choice(window.docks.all).setVisible(chance.random() < 0.7),
         lambda: qtbot.wait(chance.choice([1, 10, 60])),
         *[settle] * 8,
     ]
