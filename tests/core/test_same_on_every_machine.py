@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from surfcmp_core.compiled.cache import use_own_cache
 from tests.core.every_machine import COMPARISONS, write_inputs
 
 PROJECT = Path(__file__).parents[2]
@@ -40,7 +41,9 @@ def _run(inputs: Path, out: Path, machine: dict[str, str], threads: str) -> None
     out.mkdir()
     environment = os.environ | machine
     if "NUMBA_CPU_NAME" in machine:
-        environment["NUMBA_CACHE_DIR"] = str(out / "kernels")
+        use_own_cache()
+        kernels = Path(os.environ["NUMBA_CACHE_DIR"])
+        environment["NUMBA_CACHE_DIR"] = str(kernels.with_name(f"{kernels.name}-generic"))
     done = subprocess.run(
         [sys.executable, "-m", "tests.core.every_machine", str(inputs), str(out), threads],
         cwd=PROJECT,
