@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.numerals import three, with_unit
+from app.look.texts import of_core
 from app.look.theme import LIGHT, UNIT, Theme, tabular
-from app.panels.measure_names import NAMES
 from app.panels.widgets import Panel
 
 if TYPE_CHECKING:
@@ -154,8 +154,9 @@ class MeasuresPanel(Panel):
         QGuiApplication.clipboard().setText(self.table())
 
     def _fill_cards(self) -> None:
-        by_name = {line.name: line for line in reversed(self._lines)}  # the nodal ones come first
-        within = [line for line in self._lines if line.group == "Within tolerance"]
+        nodal = [line for line in self._lines if line.group == line.meaning.group]
+        within = [line for line in nodal if line.tolerance]
+        by_name = {line.name: line for line in nodal}
         chosen = [by_name["mean_abs"], by_name["p95"], *within[len(within) // 2 :][:1]]
         for card, line in zip(self.cards, chosen, strict=False):
             _, unit = with_unit(line.value, line.power, self._unit)
@@ -163,26 +164,24 @@ class MeasuresPanel(Panel):
             value = three(number if line.power else 100 * number)
             name = self._name(line)
             if line in within:
-                name = self.tr("Within {}").format(line.name.removeprefix("≤ "))
+                name = self.tr("Within {}").format(line.tolerance)
             card.show_number(name, value, unit, self._sentence(line))
 
     def _name(self, line: Line) -> str:
-        return self.tr(NAMES.get(line.name, line.name))
+        return of_core(line.meaning.name).format(line.tolerance)
 
     def _sentence(self, line: Line) -> str:
         """Return what a measure means."""
-        if line.name.startswith("≤"):
-            return self.tr("share of the area with |d| {}").format(line.name)
-        return self.tr(line.text)
+        return of_core(line.meaning.text).format(line.tolerance)
 
     def _add_heading(self, group: str) -> None:
-        item = QTreeWidgetItem([self.tr(group)])
+        item = QTreeWidgetItem([of_core(group)])
         item.setForeground(0, QColor(self._theme.quiet))
         item.setTextAlignment(0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom)
         item.setSizeHint(0, QSize(0, 3 * UNIT + 4))
         item.setFlags(Qt.ItemFlag.ItemIsEnabled)
         if group in self._notes:
-            item.setToolTip(0, self.tr(self._notes[group]))
+            item.setToolTip(0, of_core(self._notes[group]))
         self.tree.addTopLevelItem(item)
         item.setFirstColumnSpanned(True)
 
@@ -197,7 +196,7 @@ class MeasuresPanel(Panel):
         text = self._sentence(line)
         text = text[0].upper() + text[1:] + "."
         if line.group in self._notes:
-            text += " " + self.tr(self._notes[line.group])
+            text += " " + of_core(self._notes[line.group])
         for column in range(3):
             item.setToolTip(column, text)
         self.tree.addTopLevelItem(item)

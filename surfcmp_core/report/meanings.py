@@ -3,7 +3,25 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-SUMS = "Sums of the paper"
+
+def said(text: str) -> str:
+    """Return a text that people read; Qt's tools, told of this name, collect it for translation."""
+    return text
+
+
+DIFFERENCE = said("Difference")
+WITHIN = said("Within tolerance")
+VOLUME = said("Volume")
+COVERAGE = said("Coverage")
+SUMS = said("Sums of the paper")
+HAUSDORFF = said("Hausdorff")
+EXACT = {
+    DIFFERENCE: said("Difference, exact"),
+    WITHIN: said("Within tolerance, exact"),
+    VOLUME: said("Volume, exact"),
+    COVERAGE: said("Coverage, exact"),
+}
+"""The headings of the exact reading, which has these groups only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,6 +30,8 @@ class Meaning:
 
     key: str
     """Its name in the .json result."""
+    name: str
+    """What a person calls it."""
     group: str
     """The heading it stands under."""
     power: int | None
@@ -21,33 +41,107 @@ class Meaning:
 
 
 MEANINGS = (
-    Meaning("mean_abs", "Difference", 1, "mean of |d| over the compared area"),
-    Meaning("rms", "Difference", 1, "root mean square of d; weighs large differences more"),
-    Meaning("p50", "Difference", 1, "half of the area lies below (mean |d| of each triangle)"),
-    Meaning("p90", "Difference", 1, "90 % of the area lies below"),
-    Meaning("p95", "Difference", 1, "95 % of the area lies below"),
-    Meaning("max_abs", "Difference", 1, "largest |d| at a node"),
-    Meaning("mean_signed", "Difference", 1, "mean of d; above and below cancel, so it flatters"),
-    Meaning("mean_abs_interface", "Difference", 1, "mean of |d| where both grids have nodes"),
-    Meaning("within_tolerance", "Within tolerance", None, "share of the area with |d| ≤ {}"),
-    Meaning("volume_above", "Volume", 3, "between the surfaces where 1 lies above 2"),
-    Meaning("volume_below", "Volume", 3, "between the surfaces where 1 lies below 2"),
-    Meaning("area_compared", "Coverage", 2, "area compared, seen along z"),
-    Meaning("area_interface", "Coverage", 2, "part of it in triangles with nodes of both grids"),
-    Meaning("coverage_1", "Coverage", None, "share of surface 1 that was compared"),
-    Meaning("coverage_2", "Coverage", None, "share of surface 2 that was compared"),
-    Meaning("rho_V", SUMS, 1, "ρ_V, one term for each triangle"),
-    Meaning("rho_V_mu", SUMS, 1, "ρ_V with the weight µ"),
-    Meaning("rho_delta_V", SUMS, 1, "ρ_δV, representative triangles only"),
-    Meaning("hausdorff_1_2", "Hausdorff", 1, "farthest node of 1 from the nodes of 2, in space"),
-    Meaning("hausdorff_2_1", "Hausdorff", 1, "farthest node of 2 from the nodes of 1, in space"),
+    Meaning(
+        "mean_abs", said("Mean |d|"), DIFFERENCE, 1, said("mean of |d| over the compared area")
+    ),
+    Meaning(
+        "rms",
+        said("RMS"),
+        DIFFERENCE,
+        1,
+        said("root mean square of d; weighs large differences more"),
+    ),
+    Meaning(
+        "p50",
+        said("Median"),
+        DIFFERENCE,
+        1,
+        said("half of the area lies below (mean |d| of each triangle)"),
+    ),
+    Meaning("p90", said("90th percentile"), DIFFERENCE, 1, said("90 % of the area lies below")),
+    Meaning("p95", said("95th percentile"), DIFFERENCE, 1, said("95 % of the area lies below")),
+    Meaning("max_abs", said("Largest |d|"), DIFFERENCE, 1, said("largest |d| at a node")),
+    Meaning(
+        "mean_signed",
+        said("Signed mean"),
+        DIFFERENCE,
+        1,
+        said("mean of d; above and below cancel, so it flatters"),
+    ),
+    Meaning(
+        "mean_abs_interface",
+        said("Mean |d|, both grids"),
+        DIFFERENCE,
+        1,
+        said("mean of |d| where both grids have nodes"),
+    ),
+    Meaning("within_tolerance", "≤ {}", WITHIN, None, said("share of the area with |d| ≤ {}")),
+    Meaning(
+        "volume_above",
+        said("Volume above"),
+        VOLUME,
+        3,
+        said("between the surfaces where 1 lies above 2"),
+    ),
+    Meaning(
+        "volume_below",
+        said("Volume below"),
+        VOLUME,
+        3,
+        said("between the surfaces where 1 lies below 2"),
+    ),
+    Meaning(
+        "area_compared", said("Area compared"), COVERAGE, 2, said("area compared, seen along z")
+    ),
+    Meaning(
+        "area_interface",
+        said("Area on both grids"),
+        COVERAGE,
+        2,
+        said("part of it in triangles with nodes of both grids"),
+    ),
+    Meaning(
+        "coverage_1",
+        said("Coverage of 1"),
+        COVERAGE,
+        None,
+        said("share of surface 1 that was compared"),
+    ),
+    Meaning(
+        "coverage_2",
+        said("Coverage of 2"),
+        COVERAGE,
+        None,
+        said("share of surface 2 that was compared"),
+    ),
+    Meaning("rho_V", said("ρ_V"), SUMS, 1, said("ρ_V, one term for each triangle")),
+    Meaning("rho_V_mu", said("ρ_V with weight µ"), SUMS, 1, said("ρ_V with the weight µ")),
+    Meaning("rho_delta_V", said("ρ_δV"), SUMS, 1, said("ρ_δV, representative triangles only")),
+    Meaning(
+        "hausdorff_1_2",
+        said("Hausdorff 1 → 2"),
+        HAUSDORFF,
+        1,
+        said("farthest node of 1 from the nodes of 2, in space"),
+    ),
+    Meaning(
+        "hausdorff_2_1",
+        said("Hausdorff 2 → 1"),
+        HAUSDORFF,
+        1,
+        said("farthest node of 2 from the nodes of 1, in space"),
+    ),
 )
 
 NOTES = {
-    SUMS: "They fall when a scan is thinned, whatever the surfaces do: only the means above can"
-    " be compared between pairs.",
-    "Difference, exact": "Integrated over the overlay of T1 and T2; the values above are nodal,"
-    " with d linear on each triangle of T.",
+    SUMS: said(
+        "They fall when a scan is thinned, whatever the surfaces do: only the means above can"
+        " be compared between pairs."
+    ),
+    EXACT[DIFFERENCE]: said(
+        "Integrated over the overlay of T1 and T2; the values above are nodal, with d linear on"
+        " each triangle of T."
+    ),
 }
 """What has to be said beside a group."""
 
@@ -59,11 +153,26 @@ REASONS = ("compared", "outside 1", "outside 2", "hole", "degenerate")
 class Line:
     """One measure of one comparison, ready to be set in a table."""
 
+    meaning: Meaning
     group: str
-    name: str
     value: float | None
-    power: int | None
-    text: str
+    tolerance: str = ""
+    """With its unit, where the share within it is told."""
+
+    @property
+    def name(self) -> str:
+        """Its key, or the tolerance."""
+        return f"≤ {self.tolerance}" if self.tolerance else self.meaning.key
+
+    @property
+    def power(self) -> int | None:
+        """Of the length unit; None: a share of 1."""
+        return self.meaning.power
+
+    @property
+    def text(self) -> str:
+        """What it means."""
+        return self.meaning.text.format(self.tolerance)
 
 
 def lines(measures: dict[str, Any], unit: str) -> list[Line]:
@@ -71,17 +180,14 @@ def lines(measures: dict[str, Any], unit: str) -> list[Line]:
     result = []
     for meaning in MEANINGS:
         value = measures[meaning.key]
-        if meaning.key == "within_tolerance":
-            result += [
-                Line(meaning.group, f"≤ {t} {unit}", v, None, meaning.text.format(f"{t} {unit}"))
-                for t, v in value.items()
-            ]
+        if meaning.group == WITHIN:
+            result += [Line(meaning, WITHIN, share, f"{t} {unit}") for t, share in value.items()]
         else:
-            result.append(Line(meaning.group, meaning.key, value, meaning.power, meaning.text))
+            result.append(Line(meaning, meaning.group, value))
     if "exact" in measures:
         result += [
-            replace(line, group=f"{line.group}, exact")
+            replace(line, group=EXACT[line.group])
             for line in lines(measures["exact"], unit)
-            if line.group not in (SUMS, "Hausdorff")
+            if line.group in EXACT
         ]
     return result
