@@ -12,9 +12,6 @@ from app.controllers.session import Session
 from app.jobs.comparing import Compared
 from app.model.session_text import ENDING
 
-ENDINGS = ".ply .obj .stl .off .vtp .vtk .xyz .txt .csv .npy .npz .las .laz"
-"""Of surfaces that can be read."""
-
 
 class Opening(QObject):
     """Finds out which file is which surface."""
@@ -91,7 +88,9 @@ class Opening(QObject):
             self._session.set_document(self._session.document.swapped())
 
     def _kinds(self) -> str:
-        globs = " ".join("*" + ending for ending in ENDINGS.split())
+        from surfcmp_core.io.read import READERS
+
+        globs = " ".join("*" + ending for ending in READERS)
         return self.tr("Surfaces ({})").format(globs)
 
 

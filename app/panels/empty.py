@@ -46,6 +46,8 @@ class EmptyState(QFrame):
 
     def tell(self, paths: tuple[Path | None, Path | None], busy: bool) -> None:
         """Describe the state of affairs."""
+        from surfcmp_core.io.read import READERS
+
         self.open.setVisible(not busy)
         self.sample.setVisible(not busy)
         missing = [k + 1 for k, path in enumerate(paths) if path is None]
@@ -62,9 +64,6 @@ class EmptyState(QFrame):
         else:
             self._title.setText(self.tr("Drop two surfaces here"))
             self._text.setText(
-                self.tr(
-                    "Scans, terrain or any height field: .ply .obj .stl .off .vtp .vtk .xyz .txt"
-                    " .csv .npy .npz .las .laz"
-                )
+                self.tr("Scans, terrain or any height field: {}").format(" ".join(READERS))
             )
             self.open.setText(self.tr("Open surfaces…"))

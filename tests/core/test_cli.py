@@ -13,6 +13,7 @@ import surfcmp_core
 from app import __main__ as program
 from app.__main__ import main
 from surfcmp_core.io.samples import sample_pair
+from surfcmp_core.report import WRITERS
 from tests.core.said import lines
 
 PROJECT = Path(__file__).parents[2]
@@ -305,6 +306,7 @@ def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
         assert option in said
     for option in ("--project", "--out", "--json", "--quiet", "--threads"):
         assert option in said
+    assert " ".join(WRITERS) in " ".join(said.replace("│", " ").split())
 
 
 def test_the_package_gives_what_is_asked_for() -> None:

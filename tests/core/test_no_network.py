@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from surfcmp_core.report import WRITERS
 from tests.network import seen, watched
 
-ENDINGS = (".json", ".npz", ".csv", ".vtp", ".ply", ".html", ".pdf", ".png")
 COMMANDS = {
-    "compare": ["compare", "A", "B", *(w for e in ENDINGS for w in ("--out", f"DIR/r{e}"))],
+    "compare": ["compare", "A", "B", *(w for e in WRITERS for w in ("--out", f"DIR/r{e}"))],
     "best fit": ["compare", "A", "B", "--align", "icp", "--exact"],
     "batch": ["batch", "A", "B", "--out", "DIR/pairs.csv", "--out", "DIR/pairs.json"],
     "info": ["info", "A"],

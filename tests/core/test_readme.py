@@ -6,6 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from surfcmp_core.io.read import READERS
+from surfcmp_core.report import WRITERS
+
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -37,6 +40,13 @@ def test_comparison_shown_is_the_one_made(tmp_path: Path) -> None:
     assert len(shown) > 5
     assert lines_of(run("-m", "app", *command))[: len(shown)] == shown
     assert page.read_text(encoding="utf-8").lower().startswith("<!doctype html>")
+
+
+def test_formats_named_are_those_read_and_written() -> None:
+    for what, known in (("read", READERS), ("write", WRITERS)):
+        found = re.search(rf"^\| {what} \| (.*) \|$", README, re.MULTILINE)
+        assert found
+        assert found[1].split() == list(known)
 
 
 def test_targets_named_exist() -> None:

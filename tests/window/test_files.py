@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 
 from app import settings
+from app.actions import KINDS
 from app.jobs.session_files import Fault
 from app.jobs.window_folder import Kept
 from app.model.tool import Tool
@@ -21,6 +22,7 @@ from app.model.view_state import Heatmap, ScaleChoice
 from app.panels.command_palette import CommandPalette
 from app.panels.help import HelpDialog
 from app.window import MainWindow
+from surfcmp_core.report import WRITERS
 from tests.window.conftest import PATIENCE
 from tests.window.hands import drop
 
@@ -212,6 +214,10 @@ def test_a_damaged_session_is_told_in_one_line(sample: MainWindow, tmp_path: Pat
         drop(sample, path)
     assert sample.banner.isVisible()
     assert "x.surfcmp" in sample.banner.label.text()
+
+
+def test_every_format_can_be_exported():
+    assert set(KINDS) == set(WRITERS)
 
 
 @pytest.mark.parametrize("ending", [".html", ".csv", ".json"])

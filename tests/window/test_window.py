@@ -9,12 +9,14 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from app.__main__ import main
 from app.look.numerals import with_unit
 from app.model.view_state import Heatmap
 from app.window import MainWindow
+from surfcmp_core.io.read import READERS
 from tests.window.conftest import PATIENCE
 from tests.window.hands import drop, pixels
 
@@ -22,6 +24,8 @@ from tests.window.hands import drop, pixels
 def test_an_empty_window_says_what_to_do(window: MainWindow):
     assert window.pages.currentWidget() is window.empty
     assert window.empty.open.isVisible()
+    said = " ".join(label.text() for label in window.empty.findChildren(QLabel))
+    assert set(READERS) <= set(said.split())
     assert not window.progress.isVisible()
 
 
