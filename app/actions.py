@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # the menus are on the screen before the core is loaded
     from app.controllers.opening import Opening
     from app.controllers.probing import Places
     from app.controllers.saving import Sessions
-    from app.controllers.session import Session
+    from app.controllers.workbench import Workbench
 
 KINDS = {
     ".html": QT_TRANSLATE_NOOP("Actions", "Report as a page"),
@@ -46,7 +46,7 @@ class Actions(QObject):
     They are there before the core is loaded; until `tie` nothing can be done with them.
     """
 
-    _session: "Session"
+    _workbench: "Workbench"
     _opening: "Opening"
     _sessions: "Sessions"
     _exporting: "Exporting"
@@ -94,8 +94,10 @@ class Actions(QObject):
         file.addSeparator()
         self._add(file, self.tr("&Quit"), window.close, "Ctrl+Q")
         edit = bar.addMenu(self.tr("&Edit"))
-        self.undo = self._add(edit, self.tr("&Undo"), lambda: self._session.undo(), "Ctrl+Z")
-        self.redo = self._add(edit, self.tr("&Redo"), lambda: self._session.redo(), "Ctrl+Shift+Z")
+        self.undo = self._add(edit, self.tr("&Undo"), lambda: self._workbench.undo(), "Ctrl+Z")
+        self.redo = self._add(
+            edit, self.tr("&Redo"), lambda: self._workbench.redo(), "Ctrl+Shift+Z"
+        )
         edit.addSeparator()
         self.swap = self._add(
             edit, self.tr("&Exchange surfaces"), lambda: self._opening.swap_surfaces(), "Ctrl+E"
@@ -141,25 +143,25 @@ class Actions(QObject):
 
     def tie(
         self,
-        session: "Session",
+        workbench: "Workbench",
         opening: "Opening",
         sessions: "Sessions",
         exporting: "Exporting",
         places: "Places",
     ) -> None:
         """Let the actions act."""
-        self._session = session
+        self._workbench = workbench
         self._opening = opening
         self._sessions = sessions
         self._exporting = exporting
         self._places = places
-        session.changed.connect(self._follow)
+        workbench.changed.connect(self._follow)
         self._follow()
 
     def _follow(self) -> None:
-        history = self._session.history
+        history = self._workbench.history
         self.show_steps(history.undoable, history.redoable)
-        self.swap.setEnabled(self._session.document.complete)
+        self.swap.setEnabled(self._workbench.document.complete)
 
     def show_steps(self, undoable: Change | None, redoable: Change | None) -> None:
         """Say what undo takes back and what redo does again."""
@@ -190,8 +192,8 @@ class Actions(QObject):
 
     def stop(self) -> None:
         """Stop comparing; where nothing runs, let go of what is picked, chosen or brushed."""
-        if self._session.runner.busy:
-            self._session.runner.cancel()
+        if self._workbench.runner.busy:
+            self._workbench.runner.cancel()
         else:
             self._display.use(Tool.LOOK)
             self._display.change(chain=None, picked=None, brush=None)
@@ -227,7 +229,7 @@ class Actions(QObject):
         for pair in settings.recent_pairs():
             action = self.recent.addAction(" – ".join(path.name for path in pair))
             action.setToolTip("\n".join(map(str, pair)))
-            action.triggered.connect(lambda _=False, p=pair: self._session.open(p))
+            action.triggered.connect(lambda _=False, p=pair: self._workbench.open(p))
         if self.recent.isEmpty():
             self.recent.addAction(self.tr("Nothing yet")).setEnabled(False)
         else:

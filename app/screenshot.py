@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings, QSize, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.drawing.studio import Pictures
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.window import MainWindow
 
 SECONDS = 120
@@ -63,9 +63,9 @@ def screenshot(
         settled.start()
 
     window.start()
-    window.sessions.kept = Kept(Path(folder.name))
+    window.sessions.folder = WindowFolder(Path(folder.name))
     window.display.shown.connect(shown)
-    window.session.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
+    window.workbench.failed.connect(lambda message: (print(message, file=sys.stderr), app.quit()))
     QTimer.singleShot(1000 * SECONDS, app.quit)
     window.opening.begin(paths)
     app.exec()

@@ -38,15 +38,15 @@ from app.views.four_views import ViewGrid
 from surfcmp_core.system.children import end_children
 
 if TYPE_CHECKING:
-    from app.controllers.aligning import Alignment
-    from app.controllers.chain_choice import Chains
+    from app.controllers.aligning import Aligning
+    from app.controllers.chain_choice import ChainChoice
     from app.controllers.colour_range import Scaling
     from app.controllers.exporting import Exporting
     from app.controllers.marking import Regions
     from app.controllers.opening import Opening
     from app.controllers.probing import Places
     from app.controllers.saving import Sessions
-    from app.controllers.session import Session
+    from app.controllers.workbench import Workbench
     from app.jobs.runner import Runner
 
 CLOSING_SECONDS = 0.3
@@ -56,14 +56,14 @@ CLOSING_SECONDS = 0.3
 class MainWindow(QMainWindow):
     """Puts the parts together; what they do stands in their own files."""
 
-    session: "Session"
+    workbench: "Workbench"
     opening: "Opening"
     scaling: "Scaling"
     places: "Places"
-    chains_of: "Chains"
+    chains_of: "ChainChoice"
     exporting: "Exporting"
     regions_of: "Regions"
-    alignment_of: "Alignment"
+    alignment_of: "Aligning"
     sessions: "Sessions"
 
     def __init__(self) -> None:
@@ -132,9 +132,9 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Load the core and tie it to the window, which is on the screen by then."""
-        from app.controllers.aligning import Alignment
+        from app.controllers.aligning import Aligning
         from app.controllers.captions import Captions
-        from app.controllers.chain_choice import Chains
+        from app.controllers.chain_choice import ChainChoice
         from app.controllers.colour_range import Scaling
         from app.controllers.exporting import Exporting
         from app.controllers.front import Front
@@ -143,28 +143,28 @@ class MainWindow(QMainWindow):
         from app.controllers.probing import Places
         from app.controllers.saving import Sessions
         from app.controllers.sectioning import Section
-        from app.controllers.session import Session
         from app.controllers.work import Work
+        from app.controllers.workbench import Workbench
 
         gc.disable()
         self.display.warm_up()
         display, telling = self.display, self.banner
-        self.session = session = Session(display)
-        self.sessions = Sessions(session, display, telling, self.dialogs)
-        self.opening = Opening(session, telling, self.dialogs, self.sessions.open)
-        self.scaling = Scaling(session, display, self.scale)
+        self.workbench = workbench = Workbench(display)
+        self.sessions = Sessions(workbench, display, telling, self.dialogs)
+        self.opening = Opening(workbench, telling, self.dialogs, self.sessions.open)
+        self.scaling = Scaling(workbench, display, self.scale)
         self.places = Places(display, self.probes)
-        self.chains_of = Chains(session, display, self.chains)
-        self.regions_of = Regions(session, display, self.regions, telling, self.dialogs)
-        self.alignment_of = Alignment(session, display, self.alignment, self.regions_of, telling)
+        self.chains_of = ChainChoice(workbench, display, self.chains)
+        self.regions_of = Regions(workbench, display, self.regions, telling, self.dialogs)
+        self.alignment_of = Aligning(workbench, display, self.alignment, self.regions_of, telling)
         captions = Captions(display, self.grid.frames)
-        self.exporting = Exporting(session, display, self.grid, captions, telling, self.dialogs)
+        self.exporting = Exporting(workbench, display, self.grid, captions, telling, self.dialogs)
         self._tied = (
             captions,
             Section(display, self.section),
-            Front(session, display, self, self.toolbar, self.measures, telling),
+            Front(workbench, display, self, self.toolbar, self.measures, telling),
             Work(
-                session,
+                workbench,
                 self.opening,
                 self.toolbar,
                 self.empty,
@@ -173,9 +173,9 @@ class MainWindow(QMainWindow):
                 telling,
             ),
         )
-        self.actions_of.tie(session, self.opening, self.sessions, self.exporting, self.places)
-        session.compared.connect(collect_garbage)
-        session.failed.connect(collect_garbage)
+        self.actions_of.tie(workbench, self.opening, self.sessions, self.exporting, self.places)
+        workbench.compared.connect(collect_garbage)
+        workbench.failed.connect(collect_garbage)
 
     def show_views(self, there: bool) -> None:
         """Show the views, or what to do where there is nothing to view."""
@@ -204,7 +204,7 @@ class MainWindow(QMainWindow):
     def runners(self) -> "tuple[Runner, ...]":
         """All that can be at work beside the window."""
         return (
-            self.session.runner,
+            self.workbench.runner,
             self.exporting.runner,
             self.alignment_of.runner,
             self.sessions.saving,

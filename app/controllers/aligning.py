@@ -11,12 +11,12 @@ from PySide6.QtCore import QObject
 from app.controllers.asking import Telling
 from app.controllers.display import Display
 from app.controllers.marking import Regions
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.jobs.region_measures import region_mask
 from app.jobs.runner import Runner
 from app.model.document import FIT_KEYS, NOT_MOVED, Matrix, Motion
-from app.model.landmark import Pair, Point
+from app.model.landmark import Landmark, Point
 from app.model.tool import Tool
 from app.panels.alignment_panel import AlignmentPanel
 from surfcmp_core.errors import InputError
@@ -31,19 +31,19 @@ _DIGITS = 14
 """Of the tangent by which surface 2 is turned: fewer than libraries differ in."""
 
 
-class Alignment(QObject):
+class Aligning(QObject):
     """Landmarks, best fit and nudges; each is a step of the history."""
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         display: Display,
         panel: AlignmentPanel,
         regions: Regions,
         telling: Telling,
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._panel = panel
         self._regions = regions
@@ -60,20 +60,20 @@ class Alignment(QObject):
         panel.nudged.connect(self.nudge)
         display.tool_changed.connect(panel.show_tool)
         display.landmark_picked.connect(self.add_landmark)
-        session.compared.connect(self._compared)
+        workbench.compared.connect(self._compared)
         display.changed.connect(self._landmarks_changed)
-        self._marked: tuple[Pair, ...] = ()
+        self._marked: tuple[Landmark, ...] = ()
         panel.show_pairs(self.pairs)
         self._show()
 
     @property
-    def pairs(self) -> tuple[Pair, ...]:
+    def pairs(self) -> tuple[Landmark, ...]:
         """The landmarks."""
         return self._display.state.landmarks
 
     def add_landmark(self, surface: int, point: NDArray[np.float64]) -> None:
         """Take a place on a surface, in the comparison's coordinates."""
-        shown = self._session.shown
+        shown = self._workbench.shown
         if shown is None:
             return
         from surfcmp_core.compiled.linear_algebra import applied, inverse
@@ -82,7 +82,7 @@ class Alignment(QObject):
         place = applied(to_file, point[None])[0]
         found: Point = (float(place[0]), float(place[1]), float(place[2]))
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
-        pair = replace(last or Pair(), **{("one", "two")[surface - 1]: found})
+        pair = replace(last or Landmark(), **{("one", "two")[surface - 1]: found})
         pairs = (*(self.pairs[:-1] if last else self.pairs), pair)
         self._display.change(landmarks=pairs)
 
@@ -92,7 +92,7 @@ class Alignment(QObject):
 
     def _show_landmarks(self) -> None:
         self._marked = self.pairs
-        shown, marks = self._session.shown, []
+        shown, marks = self._workbench.shown, []
         if shown is not None:
             from surfcmp_core.compiled.linear_algebra import applied
 
@@ -113,7 +113,7 @@ class Alignment(QObject):
         """Move surface 2 so that its landmarks come nearest to those of 1."""
         from surfcmp_core.alignment import fit_landmarks
 
-        shown = self._session.shown
+        shown = self._workbench.shown
         whole = [(pair.one, pair.two) for pair in self.pairs if pair.one and pair.two]
         try:
             found = fit_landmarks([one for one, _ in whole], [two for _, two in whole])
@@ -127,7 +127,7 @@ class Alignment(QObject):
 
     def best_fit(self, on_region: bool) -> None:
         """Move surface 2 by iterated closest points, from where it lies."""
-        shown, selected = self._session.shown, self._regions.selected
+        shown, selected = self._workbench.shown, self._regions.selected
         if shown is None:
             return
         if on_region and selected < 0:
@@ -142,7 +142,7 @@ class Alignment(QObject):
 
     def nudge(self, axis: str, step: float) -> None:
         """Shift surface 2 by `step`, or turn it around the middle of the comparison."""
-        shown = self._session.shown
+        shown = self._workbench.shown
         if shown is None:
             return
         from surfcmp_core.compiled.linear_algebra import composed, dots, inverse, rotation
@@ -158,19 +158,19 @@ class Alignment(QObject):
             turn[:3, :3] = rotation(half)
             centre = shown.content.geometry.origin
             turn[:3, 3] = centre - dots(turn[:3, :3], centre)
-        old = np.array(self._session.document.motion.matrix)
+        old = np.array(self._workbench.document.motion.matrix)
         matrix = composed(inverse(frame), turn, frame, old)
-        method = self._session.document.motion.method
+        method = self._workbench.document.motion.method
         words = (
             "by hand" if method in {"none", "by hand"} else f"{method.split(',')[0]}, then by hand"
         )
         self._move(Motion(_matrix(matrix), words))
 
     def _move(self, motion: Motion) -> None:
-        session = self._session
-        if session.shown is not None:
-            self._before = session.shown.comparison.measures
-        session.set_document(replace(session.document, motion=motion))
+        workbench = self._workbench
+        if workbench.shown is not None:
+            self._before = workbench.shown.comparison.measures
+        workbench.set_document(replace(workbench.document, motion=motion))
 
     def _compared(self, result: Compared) -> None:
         if result.document.motion == NOT_MOVED:
@@ -179,10 +179,10 @@ class Alignment(QObject):
         self._show()
 
     def _show(self) -> None:
-        shown = self._session.shown
+        shown = self._workbench.shown
         now = None if shown is None else shown.comparison.measures
         motion = NOT_MOVED if shown is None else shown.document.motion
-        self._panel.show_motion(motion, self._before, now, self._session.unit)
+        self._panel.show_motion(motion, self._before, now, self._workbench.unit)
 
 
 def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -3,22 +3,22 @@
 from PySide6.QtCore import QObject
 
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.panels.chains_panel import ChainsPanel
 from app.scene.chain_table import chain_box
 
 
-class Chains(QObject):
+class ChainChoice(QObject):
     """A chosen chain stands out, and is flown to."""
 
-    def __init__(self, session: Session, display: Display, panel: ChainsPanel) -> None:
+    def __init__(self, workbench: Workbench, display: Display, panel: ChainsPanel) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._panel = panel
         panel.chosen.connect(self.fly_to)
-        session.compared.connect(self._show)
+        workbench.compared.connect(self._show)
 
     def fly_to(self, chain: int) -> None:
         """Let one chain stand out, and look at it."""
@@ -28,4 +28,4 @@ class Chains(QObject):
             self._display.look_at(*chain_box(content.comparison, content.geometry, chain))
 
     def _show(self, result: Compared) -> None:
-        self._panel.show_chains(result.content.chains, self._session.unit)
+        self._panel.show_chains(result.content.chains, self._workbench.unit)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject
 
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.model.view_state import ScaleChoice
 from app.panels.scale_panel import ScalePanel
 
@@ -13,9 +13,9 @@ from app.panels.scale_panel import ScalePanel
 class Scaling(QObject):
     """What the user chooses of the scale; tolerances are the document's, the rest the view's."""
 
-    def __init__(self, session: Session, display: Display, panel: ScalePanel) -> None:
+    def __init__(self, workbench: Workbench, display: Display, panel: ScalePanel) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._panel = panel
         panel.brushed.connect(lambda brush: display.change(brush=brush))
@@ -26,9 +26,9 @@ class Scaling(QObject):
 
     def choose(self, scale: ScaleChoice) -> None:
         """Put another scale in force."""
-        document = self._session.document
+        document = self._workbench.document
         options = replace(document.options, tolerances=scale.tolerances)
-        self._session.set_document(replace(document, options=options), scale=scale)
+        self._workbench.set_document(replace(document, options=options), scale=scale)
 
     def fit(self) -> None:
         """Fit the range to the differences; it stays there afterwards."""

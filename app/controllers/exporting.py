@@ -11,7 +11,7 @@ from app import settings
 from app.controllers.asking import Asking, Telling
 from app.controllers.captions import Captions
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.runner import Runner
 from app.jobs.writing import Picture, export
 from app.look.theme import theme
@@ -27,7 +27,7 @@ class Exporting(QObject):
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         display: Display,
         grid: ViewGrid,
         captions: Captions,
@@ -35,7 +35,7 @@ class Exporting(QObject):
         asking: Asking,
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._grid = grid
         self._captions = captions
@@ -58,14 +58,14 @@ class Exporting(QObject):
             self.write(*(path.with_suffix(ending) for ending in REPORTS))
 
     def _ask_place(self, title: str, start: str) -> Path | None:
-        if self._session.shown is None:
+        if self._workbench.shown is None:
             self._telling.tell(self.tr("There is nothing to export yet"), "note")
             return None
         return self._asking.place(title, start, f"*{Path(start).suffix}")[0]
 
     def write(self, *paths: Path) -> None:
         """Write what is shown now, all files or none; the endings say the formats."""
-        result, hide = self._session.shown, settings.names_hidden()
+        result, hide = self._workbench.shown, settings.names_hidden()
         if result is None:
             return
         state = self._display.state

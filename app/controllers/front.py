@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject
 
 from app.controllers.asking import Telling
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.look.numerals import thousands
 from app.panels.measures_panel import MeasuresPanel
@@ -31,7 +31,7 @@ class Front(QObject):
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         display: Display,
         frame: Frame,
         toolbar: Toolbar,
@@ -39,7 +39,7 @@ class Front(QObject):
         telling: Telling,
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._frame = frame
         self._toolbar = toolbar
@@ -48,15 +48,15 @@ class Front(QObject):
         self._dark: bool | None = None
         toolbar.relief_chosen.connect(lambda on: display.change(relief=on))
         toolbar.heatmap_chosen.connect(lambda kind: display.change(heatmap=kind))
-        session.changed.connect(lambda: frame.show_views(session.shown is not None))
-        session.compared.connect(self._compared)
+        workbench.changed.connect(lambda: frame.show_views(workbench.shown is not None))
+        workbench.compared.connect(self._compared)
         display.changed.connect(self._show)
         self._show()
 
     def _compared(self, result: Compared) -> None:
         self._frame.show_views(True)
         comparison = result.content.comparison  # with the regions' weights
-        self._measures.show_measures(comparison.measures, self._session.unit)
+        self._measures.show_measures(comparison.measures, self._workbench.unit)
         names = " – ".join(path.name for path in result.document.paths if path)
         self._frame.show_heading(f"{names} – surfcmp", self._summary(result))
         if warnings := comparison.warnings:
@@ -90,5 +90,5 @@ class Front(QObject):
             parts.append(self.tr("{} nodes dropped").format(thousands(dropped)))
         if merged:
             parts.append(self.tr("{} nodes merged").format(thousands(merged)))
-        parts.append(self._session.unit)
+        parts.append(self._workbench.unit)
         return "   ·   ".join(parts)

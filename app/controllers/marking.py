@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 
 from app.controllers.asking import Asking, Telling
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.region import Region, Stroke
@@ -28,14 +28,14 @@ class Regions(QObject):
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         display: Display,
         panel: RegionsPanel,
         telling: Telling,
         asking: Asking,
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._panel = panel
         self._telling = telling
@@ -50,13 +50,13 @@ class Regions(QObject):
         panel.radius.changed.connect(display.set_brush)
         display.tool_changed.connect(panel.show_tool)
         display.path_drawn.connect(self.draw)
-        session.compared.connect(self._compared)
+        workbench.compared.connect(self._compared)
         self._sized = False
 
     @property
     def document(self) -> Document:
         """The document in force."""
-        return self._session.document
+        return self._workbench.document
 
     @property
     def selected(self) -> int:
@@ -137,8 +137,8 @@ class Regions(QObject):
     def _weigh(self, number: int, weight: float) -> None:
         if weight >= 0:
             self._change(number, weight=weight)
-        elif self._session.shown is not None:
-            self._compared(self._session.shown)
+        elif self._workbench.shown is not None:
+            self._compared(self._workbench.shown)
 
     def _change(self, number: int, **changes: object) -> None:
         regions = list(self.document.regions)
@@ -146,10 +146,10 @@ class Regions(QObject):
         self._set(tuple(regions))
 
     def _set(self, regions: tuple[Region, ...]) -> None:
-        self._session.set_document(replace(self.document, regions=regions))
+        self._workbench.set_document(replace(self.document, regions=regions))
 
     def _compared(self, result: Compared) -> None:
-        panel, unit = self._panel, self._session.unit
+        panel, unit = self._panel, self._workbench.unit
         panel.show_regions(result.regions, result.comparison.measures, unit)
         if not self._sized:
             size = result.content.geometry.high - result.content.geometry.low

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 
 from app import settings
 from app.controllers.asking import Asking, Telling
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.model.session_text import ENDING
 
@@ -18,17 +18,17 @@ class Opening(QObject):
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         telling: Telling,
         asking: Asking,
         open_session: Callable[[Path], object],
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._telling = telling
         self._asking = asking
         self._open_session = open_session
-        session.compared.connect(_remember)
+        workbench.compared.connect(_remember)
 
     def begin(self, paths: list[Path]) -> None:
         """Open what the command named, or the sample."""
@@ -44,23 +44,23 @@ class Opening(QObject):
         elif len(paths) > 2:
             text = self.tr("Two surfaces at a time, please: {} files were dropped")
             self._telling.tell(text.format(len(paths)))
-        elif len(paths) == 1 and self._session.document.complete:
+        elif len(paths) == 1 and self._workbench.document.complete:
             answers = {
                 self.tr("Use as surface {}").format(number): partial(
-                    self._session.open, paths, number
+                    self._workbench.open, paths, number
                 )
                 for number in (1, 2)
             }
             self._asking.choose(paths[0].name, answers)
         elif paths:
-            self._session.open(paths)
+            self._workbench.open(paths)
 
     def open_sample(self) -> None:
         """Open the built-in pair."""
         from surfcmp_core.io.samples import sample_pair
 
         try:
-            self._session.open(sample_pair("face"))
+            self._workbench.open(sample_pair("face"))
         except FileNotFoundError as error:
             self._telling.tell(str(error))
 
@@ -72,11 +72,11 @@ class Opening(QObject):
         """Ask for one file, to be surface `number`."""
         path = self._asking.file(self.tr("Open surface {}").format(number), kinds=self._kinds())
         if path is not None:
-            self._session.open([path], number)
+            self._workbench.open([path], number)
 
     def open_missing(self) -> None:
         """Ask for the file that is missing to a pair, or for both."""
-        paths = self._session.document.paths
+        paths = self._workbench.document.paths
         if any(paths) and not all(paths):
             self.open_one(1 if paths[0] is None else 2)
         else:
@@ -84,8 +84,8 @@ class Opening(QObject):
 
     def swap_surfaces(self) -> None:
         """Exchange surfaces 1 and 2."""
-        if self._session.document.complete:
-            self._session.set_document(self._session.document.swapped())
+        if self._workbench.document.complete:
+            self._workbench.set_document(self._workbench.document.swapped())
 
     def _kinds(self) -> str:
         from surfcmp_core.io.read import READERS

@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject, QTimer
 
 from app.controllers.asking import Asking, Telling
 from app.controllers.display import Display
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.jobs.runner import Runner
 from app.jobs.session_files import Fault, Located, Opened, open_session, save_session
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.model.session_text import ENDING, Eye, from_text, to_text, write
 from app.scene.camera import Camera
 from surfcmp_core.errors import InputError
@@ -28,14 +28,14 @@ class Sessions(QObject):
     """Keeps what the user does."""
 
     def __init__(
-        self, session: Session, display: Display, telling: Telling, asking: Asking
+        self, workbench: Workbench, display: Display, telling: Telling, asking: Asking
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._display = display
         self._telling = telling
         self._asking = asking
-        self.kept = Kept(user_state_path("surfcmp", appauthor=False) / "windows")
+        self.folder = WindowFolder(user_state_path("surfcmp", appauthor=False) / "windows")
         self.saving, self.opening = Runner(), Runner()
         self.saving.finished.connect(self._saved)
         self.opening.finished.connect(self._opened)
@@ -46,12 +46,12 @@ class Sessions(QObject):
         """Where the session lies, which surfaces it is about, whether it holds their scans."""
         self._later = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
         self._later.timeout.connect(self._save_now)
-        session.changed.connect(self._later.start)
+        workbench.changed.connect(self._later.start)
         display.changed.connect(self._later.start)
 
     def save_again(self) -> None:
         """Save the session where it was saved or opened; ask where it is another pair's."""
-        paths = self._session.document.paths
+        paths = self._workbench.document.paths
         if self._place is not None and self._place[1] == paths:
             self.save(self._place[0], embed=self._place[2])
         else:
@@ -59,10 +59,10 @@ class Sessions(QObject):
 
     def ask_save(self) -> None:
         """Ask where to, and whether with the scans, and save the session."""
-        if not self._session.document.complete:
+        if not self._workbench.document.complete:
             self._telling.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
-        paths = self._session.document.paths
+        paths = self._workbench.document.paths
         size = sum(path.stat().st_size for path in paths if path is not None and path.is_file())
         text = self.tr("Session with its scans, {:.1f} MB (*{})").format(size / 1e6, ENDING)
         kinds = [text, self.tr("Session without its scans (*{})").format(ENDING)]
@@ -76,7 +76,7 @@ class Sessions(QObject):
 
     def save(self, path: Path, *, embed: bool = True) -> None:
         """Save the session beside the window, completely or not at all."""
-        document, state = self._session.document, self._display.state
+        document, state = self._workbench.document, self._display.state
         if not document.complete:
             self._telling.tell(self.tr("There are no two surfaces to save yet"), "note")
             return
@@ -94,13 +94,13 @@ class Sessions(QObject):
         """Open a session; `located` says where the user found scans that were not in place."""
         self._located = located or {}
         with suppress(OSError):  # which is told where scans are to be unpacked
-            self.kept.begin()
-        self.opening.start(partial(open_session, path, self.kept.scans, self._located))
+            self.folder.begin()
+        self.opening.start(partial(open_session, path, self.folder.scans, self._located))
 
     def offer_recovery(self) -> bool:
         """Offer what a window that did not end properly has saved; say whether there is any."""
         try:
-            rescued = self.kept.rescue()
+            rescued = self.folder.rescue()
             if rescued is None:
                 return False
             from_text(rescued.read_text(encoding="utf-8"), rescued.parent, rescued.name)
@@ -116,7 +116,7 @@ class Sessions(QObject):
     def close(self) -> None:
         """Forget the session saved last and its scans: this one ends properly."""
         self._later.stop()
-        self.kept.close()
+        self.folder.close()
 
     def _saved(self, path: Path) -> None:
         self._telling.tell(self.tr("Saved {}").format(path), "note")
@@ -130,13 +130,13 @@ class Sessions(QObject):
             self._telling.tell(text)
             return
         self._telling.hide()
-        if opened.path.parent != self.kept.folder:
+        if opened.path.parent != self.folder.path:
             self._place = (opened.path, opened.document.paths, opened.embedded)
         camera = None
         if opened.camera is not None:
             focus, back, up, (height,) = opened.camera
             camera = Camera(focus, back, up, height)
-        self._session.restore(opened.document, opened.state, camera)
+        self._workbench.restore(opened.document, opened.state, camera)
 
     def _ask_for_scan(self, path: Path, fault: Fault) -> None:
         """Say what is amiss with a scan, and offer what can be done."""
@@ -162,15 +162,15 @@ class Sessions(QObject):
 
     def _save_now(self) -> None:
         """Save the session, without its scans, in case the program does not end properly."""
-        session = self._session
-        if not session.document.complete:
+        workbench = self._workbench
+        if not workbench.document.complete:
             return
         try:
-            self.kept.begin()
+            self.folder.begin()
             state = self._display.state
-            here = self.kept.folder.absolute()
-            text = to_text(session.document, state, self._hashes(), here, self._eye())
-            write(self.kept.autosave, text)
+            here = self.folder.path.absolute()
+            text = to_text(workbench.document, state, self._hashes(), here, self._eye())
+            write(self.folder.autosave, text)
         except (OSError, OutputError):
             self._later.stop()  # a full disk must not disturb the work
 
@@ -180,9 +180,9 @@ class Sessions(QObject):
 
     def _hashes(self) -> tuple[str, str]:
         """Return the SHA-256 of the inputs, empty where they were not read yet."""
-        session = self._session
-        shown = session.shown
-        if shown is None or shown.document.paths != session.document.paths:
+        workbench = self._workbench
+        shown = workbench.shown
+        if shown is None or shown.document.paths != workbench.document.paths:
             return "", ""
         one, two = (surface.sha256 for surface in shown.comparison.surfaces)
         return one, two

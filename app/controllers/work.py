@@ -1,10 +1,10 @@
-"""Ties the session to what shows which surfaces are open, how, and whether work goes on."""
+"""Ties the workbench to what shows which surfaces are open, how, and whether work goes on."""
 
 from PySide6.QtCore import QObject
 
 from app.controllers.asking import Telling
 from app.controllers.opening import Opening
-from app.controllers.session import Session
+from app.controllers.workbench import Workbench
 from app.panels.empty import EmptyState
 from app.panels.options_panel import OptionsPanel
 from app.panels.progress_line import ProgressStrip
@@ -16,7 +16,7 @@ class Work(QObject):
 
     def __init__(
         self,
-        session: Session,
+        workbench: Workbench,
         opening: Opening,
         toolbar: Toolbar,
         empty: EmptyState,
@@ -25,7 +25,7 @@ class Work(QObject):
         telling: Telling,
     ) -> None:
         super().__init__()
-        self._session = session
+        self._workbench = workbench
         self._toolbar = toolbar
         self._empty = empty
         self._options = options
@@ -35,15 +35,15 @@ class Work(QObject):
         toolbar.swap_asked.connect(opening.swap_surfaces)
         empty.open_asked.connect(opening.open_missing)
         empty.sample_asked.connect(opening.open_sample)
-        options.changed.connect(session.set_document)
-        progress.cancel_asked.connect(session.runner.cancel)
-        session.runner.progressed.connect(progress.tell)
-        session.failed.connect(telling.tell)
-        session.changed.connect(self._show)
+        options.changed.connect(workbench.set_document)
+        progress.cancel_asked.connect(workbench.runner.cancel)
+        workbench.runner.progressed.connect(progress.tell)
+        workbench.failed.connect(telling.tell)
+        workbench.changed.connect(self._show)
         self._show()
 
     def _show(self) -> None:
-        document, busy = self._session.document, self._session.runner.busy
+        document, busy = self._workbench.document, self._workbench.runner.busy
         self._toolbar.show_paths(document.paths)
         self._empty.tell(document.paths, busy)
         self._options.show_document(document)

@@ -17,7 +17,7 @@ NODE_SIZE = 5.0
 LINE_PIXELS = 3.0
 
 
-class View:
+class DrawnView:
     """One tile."""
 
     def __init__(self) -> None:

@@ -21,7 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCommand, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
-from app.drawing.drawn_view import View
+from app.drawing.drawn_view import DrawnView
 
 Image = NDArray[np.uint8]
 
@@ -45,7 +45,7 @@ class Renderer:
         self._window.SetOffScreenRendering(True)
         self._window.SetMultiSamples(0)
         self._pixels = vtkUnsignedCharArray()
-        self._views = [View() for _ in range(views)]
+        self._views = [DrawnView() for _ in range(views)]
         for view in self._views:
             self._window.AddRenderer(view.renderer)
 

@@ -16,7 +16,7 @@ from app.model.session_text import ENDING
 from surfcmp_core.system.lock import drop, make_held, take_over
 
 
-class Kept:
+class WindowFolder:
     """One window's folder: the session as saved last, and scans unpacked from sessions.
 
     Parameters
@@ -31,19 +31,19 @@ class Kept:
         self._held: BinaryIO | None = None
 
     @property
-    def folder(self) -> Path:
+    def path(self) -> Path:
         """The window's own folder; see `begin`."""
         return self._lock.with_suffix("")
 
     @property
     def autosave(self) -> Path:
         """The session as it was a moment ago."""
-        return self.folder / f"autosave{ENDING}"
+        return self.path / f"autosave{ENDING}"
 
     @property
     def scans(self) -> Path:
         """Folder of scans unpacked from sessions."""
-        return self.folder / "scans"
+        return self.path / "scans"
 
     def begin(self) -> None:
         """Make the folder, and hold it until the window closes or its process ends.
@@ -56,7 +56,7 @@ class Kept:
         if self._held is None:
             self._parent.mkdir(parents=True, exist_ok=True)
             self._held = make_held(self._lock)
-        self.folder.mkdir(exist_ok=True)
+        self.path.mkdir(exist_ok=True)
 
     def rescue(self) -> Path | None:
         """Take for its own what the last window that did not end properly has left.
@@ -75,7 +75,7 @@ class Kept:
         saved, self._lock, self._held = left.pop()
         for _, _, held in left:
             held.close()  # for the next windows that start
-        return saved.replace(self.folder / f"rescued{ENDING}")
+        return saved.replace(self.path / f"rescued{ENDING}")
 
     def close(self) -> None:
         """Forget all that is kept: the window ends properly."""

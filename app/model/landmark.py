@@ -6,7 +6,7 @@ Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class Landmark:
     """The same place on both surfaces, in the files' coordinates."""
 
     one: Point | None = None

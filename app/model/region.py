@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-Path = tuple[tuple[float, float], ...]
+Track = tuple[tuple[float, float], ...]
 """x, y of where the mouse went."""
 
 
@@ -20,7 +20,7 @@ class Stroke:
         What it covers is taken away from the region, else added to it.
     """
 
-    path: Path
+    path: Track
     radius: float = 0.0
     takes: bool = False
 

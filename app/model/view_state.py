@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 from enum import Enum, StrEnum
 from typing import Self
 
-from app.model.landmark import Pair
+from app.model.landmark import Landmark
 from surfcmp_core.colours.scale import Scale
 
 
@@ -82,7 +82,7 @@ class Kept:
     """Places whose labels stay."""
     section: tuple[float, float, float, float] | None = field(default=None, metadata=_PLACES)
     """The line along which profiles are drawn: x, y of its ends in the plane of comparison."""
-    landmarks: tuple[Pair, ...] = field(default=(), metadata=_FILES)
+    landmarks: tuple[Landmark, ...] = field(default=(), metadata=_FILES)
 
     @property
     def colours(self) -> Scale:

@@ -21,7 +21,7 @@ from app.model.tool import Tool
 from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_button
 
 if TYPE_CHECKING:
-    from app.model.landmark import Pair
+    from app.model.landmark import Landmark
     from surfcmp_core.measures.measures import Measures
 
 
@@ -134,7 +134,7 @@ class AlignmentPanel(Panel):
         """Show which tool is in hand."""
         self.pick.setChecked(tool is Tool.LANDMARK)
 
-    def show_pairs(self, pairs: tuple[Pair, ...]) -> None:
+    def show_pairs(self, pairs: tuple[Landmark, ...]) -> None:
         """Show how many landmarks there are, and what is missing."""
         whole = sum(pair.complete for pair in pairs)
         self.use.setEnabled(whole >= 3)

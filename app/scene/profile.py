@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
 
 Floats = NDArray[np.float64]
-Line = tuple[float, float, float, float]
+Ends = tuple[float, float, float, float]
 """x, y of the start, x, y of the end."""
 
 
@@ -42,7 +42,7 @@ class Profile:
         return self.z1 - self.z2
 
 
-def profile_of(comparison: Comparison, line: Line, geometry: Geometry | None = None) -> Profile:
+def profile_of(comparison: Comparison, line: Ends, geometry: Geometry | None = None) -> Profile:
     """Return the profile along a line; empty where it does not meet T.
 
     With the scene's geometry only triangles near the line are looked at.

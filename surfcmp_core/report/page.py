@@ -31,12 +31,12 @@ from surfcmp_core.report.record import Document
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-View = tuple[str, bytes]
+Picture = tuple[str, bytes]
 """A caption, and the bytes of a .png file."""
 
 
 def write_html(
-    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[View] = ()
+    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[Picture] = ()
 ) -> None:
     """Write the .html result; it needs no other file and no network.
 
@@ -130,7 +130,7 @@ def _figure(png: bytes, name: str, caption: str) -> str:
     )
 
 
-def _views(views: Sequence[View]) -> str:
+def _views(views: Sequence[Picture]) -> str:
     if not views:
         return ""
     figures = "".join(_figure(png, name, f"<b>{escape(name)}</b>") for name, png in views)

@@ -20,7 +20,7 @@ from surfcmp_core.report.figures import (
 )
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
-from surfcmp_core.report.page import MAPS, View
+from surfcmp_core.report.page import MAPS, Picture
 from surfcmp_core.report.paper import BOTTOM, HEIGHT, LEFT, WIDTH, Paper, write
 from surfcmp_core.report.provenance import (
     DISCLAIMER,
@@ -50,7 +50,7 @@ def write_png(comparison: Comparison, document: Document, stream: BinaryIO) -> N
 
 
 def write_pdf(
-    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[View] = ()
+    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[Picture] = ()
 ) -> None:
     """Write the .pdf result: the maps, the measures, and where they come from.
 
@@ -128,7 +128,7 @@ def _maps(paper: Paper, comparison: Comparison, document: Document) -> None:
         paper.down += 0.74
 
 
-def _views(paper: Paper, views: Sequence[View]) -> None:
+def _views(paper: Paper, views: Sequence[Picture]) -> None:
     """Set pictures in two columns."""
     from matplotlib.image import imread
 

@@ -60,7 +60,7 @@ class MockDisplay(QObject):
         self.brush = radius
 
 
-class MockSession(QObject):
+class MockWorkbench(QObject):
     """A document without a core behind it."""
 
     changed = Signal()

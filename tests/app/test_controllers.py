@@ -1,4 +1,4 @@
-"""Controllers, tied to stand-ins for session, display, panels and dialogs: no screen."""
+"""Controllers, tied to stand-ins for workbench, display, panels and dialogs: no screen."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QObject, QSettings, Signal
 
-from app.controllers.chain_choice import Chains
+from app.controllers.chain_choice import ChainChoice
 from app.controllers.colour_range import Scaling
 from app.controllers.marking import Regions
 from app.controllers.opening import Opening
@@ -21,7 +21,7 @@ from app.model.tool import Tool
 from app.model.view_state import Place, ScaleChoice
 from app.scene.content import content_of
 from app.scene.pick import reading_at
-from tests.app.mocks import MockAsking, MockDisplay, MockSession, MockTelling
+from tests.app.mocks import MockAsking, MockDisplay, MockTelling, MockWorkbench
 from tests.window.builders import comparison_of, hills
 
 ONE, TWO = Path("/one.ply"), Path("/two.ply")
@@ -102,11 +102,11 @@ def test_a_picked_place_is_kept_and_let_go(result: Compared) -> None:
 
 
 def test_a_chain_that_is_chosen_stands_out_and_is_flown_to(result: Compared) -> None:
-    session, display, panel = MockSession(), MockDisplay(), Panel()
-    chains = Chains(session, display, panel)
+    workbench, display, panel = MockWorkbench(), MockDisplay(), Panel()
+    chains = ChainChoice(workbench, display, panel)
     chains.fly_to(0)  # nothing is shown yet
     assert display.looked_at == []
-    session.finish(result)
+    workbench.finish(result)
     display.set_content(result.content, "mm", ScaleChoice())
     assert panel.seen["chains"] == (result.content.chains, "mm")
     panel.chosen.emit(0)
@@ -116,12 +116,12 @@ def test_a_chain_that_is_chosen_stands_out_and_is_flown_to(result: Compared) -> 
 
 
 def test_tolerances_are_the_document_s_and_the_range_is_the_view_s(result: Compared) -> None:
-    session, display, panel = MockSession(), MockDisplay(), Panel()
-    scaling = Scaling(session, display, panel)
+    workbench, display, panel = MockWorkbench(), MockDisplay(), Panel()
+    scaling = Scaling(workbench, display, panel)
     scale = ScaleChoice(limit=3.0, tolerances=(0.1, 0.2), pinned=True)
     panel.changed.emit(scale)
-    assert session.document.options.tolerances == (0.1, 0.2)
-    assert session.views == [{"scale": scale}]
+    assert workbench.document.options.tolerances == (0.1, 0.2)
+    assert workbench.views == [{"scale": scale}]
     panel.fit_asked.emit()  # nothing is shown yet
     assert not display.state.scale.pinned
     display.set_content(result.content, "mm", ScaleChoice(limit=1e9))
@@ -150,54 +150,60 @@ def test_a_section_has_a_profile_where_there_is_something_to_cut(result: Compare
 
 def opening(document: Document | None = None, *answers: Path | None) -> tuple:
     """A controller of files, and all that it is tied to."""
-    session, telling, asking = MockSession(document), MockTelling(), MockAsking(*answers)
+    workbench, telling, asking = MockWorkbench(document), MockTelling(), MockAsking(*answers)
     sessions: list[Path] = []
-    return Opening(session, telling, asking, sessions.append), session, telling, asking, sessions
+    return (
+        Opening(workbench, telling, asking, sessions.append),
+        workbench,
+        telling,
+        asking,
+        sessions,
+    )
 
 
 def test_files_find_their_place() -> None:
-    taking, session, telling, asking, sessions = opening()
+    taking, workbench, telling, asking, sessions = opening()
     taking.take([ONE])
     taking.take([ONE, TWO])
-    assert session.opened == [([ONE], None), ([ONE, TWO], None)]
+    assert workbench.opened == [([ONE], None), ([ONE, TWO], None)]
     taking.take([Path("/work.surfcmp")])
     assert sessions == [Path("/work.surfcmp")]
     taking.take([ONE, TWO, ONE])
     assert "3 files" in telling.said[-1][0]
     taking.take([])
-    assert len(session.opened) == 2
+    assert len(workbench.opened) == 2
     assert asking.asked == []
 
 
 def test_one_more_file_asks_where_it_belongs() -> None:
-    taking, session, _, asking, _ = opening(Document((ONE, TWO)))
+    taking, workbench, _, asking, _ = opening(Document((ONE, TWO)))
     taking.take([Path("/three.ply")])
-    assert session.opened == []
+    assert workbench.opened == []
     assert asking.asked == [("three.ply",)]
     list(asking.offered.values())[1]()
-    assert session.opened == [([Path("/three.ply")], 2)]
+    assert workbench.opened == [([Path("/three.ply")], 2)]
 
 
 def test_the_file_that_is_missing_is_asked_for() -> None:
-    taking, session, _, asking, _ = opening(Document((ONE, None)), TWO)
+    taking, workbench, _, asking, _ = opening(Document((ONE, None)), TWO)
     taking.open_missing()
-    assert session.opened == [([TWO], 2)]
-    taking, session, _, asking, _ = opening(None, ONE, TWO)
+    assert workbench.opened == [([TWO], 2)]
+    taking, workbench, _, asking, _ = opening(None, ONE, TWO)
     taking.open_missing()
-    assert session.opened == [([ONE, TWO], None)]
+    assert workbench.opened == [([ONE, TWO], None)]
     assert "*.ply" in asking.asked[0][1]
-    taking, session, _, asking, _ = opening(None, None)
+    taking, workbench, _, asking, _ = opening(None, None)
     taking.open_one(1)  # the user thinks better of it
-    assert session.opened == []
+    assert workbench.opened == []
 
 
 def test_surfaces_are_exchanged_only_as_a_pair() -> None:
-    taking, session, *_ = opening(Document((ONE, None)))
+    taking, workbench, *_ = opening(Document((ONE, None)))
     taking.swap_surfaces()
-    assert session.document.paths == (ONE, None)
-    taking, session, *_ = opening(Document((ONE, TWO)))
+    assert workbench.document.paths == (ONE, None)
+    taking, workbench, *_ = opening(Document((ONE, TWO)))
     taking.swap_surfaces()
-    assert session.document.paths == (TWO, ONE)
+    assert workbench.document.paths == (TWO, ONE)
 
 
 class RegionsMock(QObject):
@@ -241,67 +247,67 @@ SQUARE = ((0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (0.0, 9.0))
 
 def drawing(*answers: Path | None) -> tuple:
     """A controller of regions, and all that it is tied to."""
-    session, display, panel = MockSession(), MockDisplay(), RegionsMock()
+    workbench, display, panel = MockWorkbench(), MockDisplay(), RegionsMock()
     telling, asking = MockTelling(), MockAsking(*answers)
-    regions = Regions(session, display, panel, telling, asking)
-    return regions, session, display, panel, telling, asking
+    regions = Regions(workbench, display, panel, telling, asking)
+    return regions, workbench, display, panel, telling, asking
 
 
 def test_each_lasso_is_a_region_and_a_brush_adds_to_the_chosen_one() -> None:
-    regions, session, display, panel, telling, _ = drawing()
+    regions, workbench, display, panel, telling, _ = drawing()
     display.path_drawn.emit(Tool.LASSO, SQUARE)
     display.path_drawn.emit(Tool.LASSO, SQUARE)
     display.path_drawn.emit(Tool.LASSO, SQUARE[:2])  # too short to go round anything
-    names = [region.name for region in session.document.regions]
+    names = [region.name for region in workbench.document.regions]
     assert names == ["Region 1", "Region 2"]
     panel.selected = 1
     regions.draw(Tool.BRUSH, SQUARE)
-    assert [len(region.strokes) for region in session.document.regions] == [1, 2]
-    assert session.document.regions[1].strokes[1].radius == 4.0
+    assert [len(region.strokes) for region in workbench.document.regions] == [1, 2]
+    assert workbench.document.regions[1].strokes[1].radius == 4.0
     panel.take.on, panel.selected = True, -1
     regions.draw(Tool.BRUSH, SQUARE)
     assert telling.said[-1][1] == "note"
     panel.selected = 0
     regions.draw(Tool.LASSO, SQUARE)
-    assert session.document.regions[0].strokes[1] == Stroke(SQUARE, takes=True)
+    assert workbench.document.regions[0].strokes[1] == Stroke(SQUARE, takes=True)
     display.path_drawn.emit(Tool.SECTION, SQUARE[:2])
     assert display.state.section == (0.0, 0.0, 9.0, 0.0)
 
 
 def test_regions_are_named_weighed_coloured_and_removed() -> None:
-    regions, session, _, panel, _, asking = drawing()
-    session.document = replace(session.document, regions=(Region("nose", (1, 2, 3)),))
+    regions, workbench, _, panel, _, asking = drawing()
+    workbench.document = replace(workbench.document, regions=(Region("nose", (1, 2, 3)),))
     panel.renamed.emit(0, "chin")
     panel.weighed.emit(0, 2.5)
     panel.weighed.emit(0, -1.0)  # refused
     panel.coloured.emit(0, None)
-    assert session.document.regions == (Region("chin", (1, 2, 3), 2.5),)
+    assert workbench.document.regions == (Region("chin", (1, 2, 3), 2.5),)
     asking.tint = (7, 8, 9)
     panel.coloured.emit(0, None)
     panel.renamed.emit(0, "")
-    assert session.document.regions == (Region("Region 1", (7, 8, 9), 2.5),)
+    assert workbench.document.regions == (Region("Region 1", (7, 8, 9), 2.5),)
     regions.remove(3)
     panel.remove_asked.emit(0)
-    assert session.document.regions == ()
+    assert workbench.document.regions == ()
 
 
 def test_regions_come_back_from_their_file(tmp_path: Path) -> None:
     file, bad = tmp_path / "regions.json", tmp_path / "bad.json"
     bad.write_text("{")
-    _, session, _, panel, telling, _ = drawing(file, file, bad, None)
+    _, workbench, _, panel, telling, _ = drawing(file, file, bad, None)
     kept = (Region("nose", (1, 2, 3), strokes=(Stroke(SQUARE),)),)
-    session.document = replace(session.document, regions=kept)
+    workbench.document = replace(workbench.document, regions=kept)
     panel.save_asked.emit()
     panel.load_asked.emit()
-    assert session.document.regions == kept * 2
+    assert workbench.document.regions == kept * 2
     panel.load_asked.emit()
     assert telling.said[-1][0].startswith("bad.json: ")
     panel.save_asked.emit()  # the user thinks better of it
-    assert session.document.regions == kept * 2
+    assert workbench.document.regions == kept * 2
 
 
 def test_a_first_result_sizes_the_brush(result: Compared) -> None:
-    _, session, display, panel, _, _ = drawing()
-    session.finish(result)
+    _, workbench, display, panel, _, _ = drawing()
+    workbench.finish(result)
     assert display.brush == panel.radius.value == 5.0
     assert len(panel.shown) == 1

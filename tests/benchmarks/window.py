@@ -97,7 +97,7 @@ def measure_start(run: Run, lateness: Lateness, paths: list[Path]) -> None:
         lateness.tell("starting")
         begin = time.time()
     ready: list[float] = []
-    run.window.session.compared.connect(lambda _: ready.append(time.time() - begin))
+    run.window.workbench.compared.connect(lambda _: ready.append(time.time() - begin))
     run.window.opening.begin(paths)
     run.wait(lambda _: True)
     say("compared", ready[0], "s")
@@ -152,7 +152,7 @@ def measure_changes(run: Run) -> None:
             say("  window's thread busy", 1000 * busy, "ms")
         if not run.pictures[-1][1].final:
             run.wait(lambda pictures: pictures.final, 20)
-        while run.window.session.runner.busy:
+        while run.window.workbench.runner.busy:
             run.pause(0.1)
     for relief in (False, True):
         run.window.display.change(relief=relief, picked=None)

@@ -15,7 +15,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.window import MainWindow
 from tests.window.builders import comparison_of, hills
 
@@ -34,7 +34,7 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     window.resize(1000, 700)
     window.show()
     window.start()
-    window.sessions.kept = Kept(tmp_path / "state")
+    window.sessions.folder = WindowFolder(tmp_path / "state")
     window.activateWindow()
     qtbot.waitActive(window)
     yield window

@@ -14,18 +14,18 @@ from tests.window.hands import LEFT, show
 
 def test_a_nudge_is_a_motion_and_undone(sample: MainWindow, qtbot: QtBot):
     show(sample, "alignment")
-    before = sample.session.shown.comparison.measures.mean_signed
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    before = sample.workbench.shown.comparison.measures.mean_signed
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.alignment.nudged.emit("z", 1.5)
-    motion = sample.session.document.motion
+    motion = sample.workbench.document.motion
     assert motion.matrix[2][3] == 1.5
-    after = sample.session.shown.comparison.measures.mean_signed
+    after = sample.workbench.shown.comparison.measures.mean_signed
     assert after == pytest.approx(before - 1.5, abs=1e-6)
-    assert sample.session.shown.record["options"]["align"]["method"] == "by hand"
+    assert sample.workbench.shown.record["options"]["align"]["method"] == "by hand"
     assert "by hand" in sample.alignment.method.text()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.alignment.reset, LEFT)
-    assert sample.session.shown.comparison.measures.mean_signed == before
+    assert sample.workbench.shown.comparison.measures.mean_signed == before
 
 
 def test_each_button_nudges_its_way(sample: MainWindow, qtbot: QtBot):
@@ -41,32 +41,32 @@ def test_each_button_nudges_its_way(sample: MainWindow, qtbot: QtBot):
         ("−y", (1, 3, -0.5)),
         ("+↻z", (1, 0, np.sin(np.deg2rad(0.5)))),
     ):
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
             qtbot.mouseClick(buttons[text], LEFT)
-        assert sample.session.document.motion.matrix[row][column] == pytest.approx(value)
+        assert sample.workbench.document.motion.matrix[row][column] == pytest.approx(value)
         assert sample.actions_of.undo.text() == "&Undo alignment"
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
             sample.actions_of.undo.trigger()
-    assert sample.session.document.motion == NOT_MOVED
+    assert sample.workbench.document.motion == NOT_MOVED
 
 
 def test_best_fit_takes_a_shift_back(sample: MainWindow, qtbot: QtBot):
     show(sample, "alignment")
     for axis, step in (("x", 2.0), ("rz", 1.5)):
-        with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+        with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
             sample.alignment.nudged.emit(axis, step)
-    off = sample.session.shown.comparison.measures.mean_abs
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    off = sample.workbench.shown.comparison.measures.mean_abs
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.alignment.fit, LEFT)
-    fitted = sample.session.shown.comparison.measures.mean_abs
+    fitted = sample.workbench.shown.comparison.measures.mean_abs
     assert fitted < off / 2
     assert "ICP" in sample.alignment.method.text()
-    assert sample.session.document.motion.residual is not None
+    assert sample.workbench.document.motion.residual is not None
 
 
 def test_landmarks_move_surface_2(sample: MainWindow, qtbot: QtBot):
     show(sample, "alignment")
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.alignment.nudged.emit("y", 3.0)
     sample.display.change(relief=False)
     qtbot.mouseClick(sample.alignment.pick, LEFT)
@@ -83,10 +83,10 @@ def test_landmarks_move_surface_2(sample: MainWindow, qtbot: QtBot):
         0.5 * first.width(), abs=2
     )
     assert sample.display.state.picked is None
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.alignment.use, LEFT)
     # the same places of the plane were clicked, so that only heights could move it
-    assert sample.session.document.motion.method == "landmarks"
+    assert sample.workbench.document.motion.method == "landmarks"
     qtbot.mouseClick(sample.alignment.clear, LEFT)
     assert not sample.alignment.use.isEnabled()
 

@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from pytestqt.qtbot import QtBot
 
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 
@@ -25,7 +25,7 @@ import app.window
 closed = []
 
 def close(window):
-    assert window.session.runner.busy
+    assert window.workbench.runner.busy
     closed.append(time.monotonic())
     window.close()
 
@@ -55,7 +55,7 @@ def test_fifty_windows_closed_during_a_computation(files: tuple[Path, Path], qtb
         window = MainWindow()
         window.show()
         window.start()
-        window.sessions.kept = Kept(files[0].with_suffix(""))
+        window.sessions.folder = WindowFolder(files[0].with_suffix(""))
         window.opening.take(list(files))
         qtbot.wait(moments.choice([0, 1, 5, 20, 60, 150]))
         start = time.monotonic()

@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 from app import settings
 from app.actions import KINDS
 from app.jobs.session_files import Fault
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.model.tool import Tool
 from app.model.view_state import Heatmap, ScaleChoice
 from app.panels.command_palette import CommandPalette
@@ -32,15 +32,15 @@ def test_a_session_is_saved_and_opened_again(
 ):
     sample.display.change(heatmap=Heatmap.TRUST, relief=False)
     path = tmp_path / "x.surfcmp"
-    document = sample.session.document
+    document = sample.workbench.document
     with qtbot.waitSignal(sample.sessions.saving.finished, timeout=PATIENCE):
         sample.sessions.save(path)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     sample.display.change(heatmap=Heatmap.ABSOLUTE, relief=True)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, path)
-    assert sample.session.document == document
+    assert sample.workbench.document == document
     assert sample.display.state.heatmap is Heatmap.TRUST
     assert not sample.display.state.relief
 
@@ -50,45 +50,45 @@ def test_a_session_restores_everything(
 ):
     sample.display._pick(3, 0.0, 0.0)
     sample.places.keep()
-    sample.alignment_of.add_landmark(1, sample.session.shown.content.geometry.origin)
+    sample.alignment_of.add_landmark(1, sample.workbench.shown.content.geometry.origin)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.scale.changed.emit(ScaleChoice(2.5, (0.3, 0.7), banded=True, pinned=True))
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.regions_of.draw(Tool.LASSO, ((-9.0, -9.0), (9.0, -9.0), (0.0, 9.0)))
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.alignment.nudged.emit("z", 0.25)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0))
     sample.display.press(int(Qt.Key.Key_Left), False)
-    document, state, camera = sample.session.document, sample.display.state, sample.display.camera
+    document, state, camera = sample.workbench.document, sample.display.state, sample.display.camera
     path = tmp_path / "x.surfcmp"
     with qtbot.waitSignal(sample.sessions.saving.finished, timeout=PATIENCE):
         sample.sessions.save(path)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.scale.changed.emit(ScaleChoice(1.0, (0.5,), pinned=True))
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, path)
-    assert sample.session.document == document
+    assert sample.workbench.document == document
     assert sample.display.state == state
     assert sample.display.camera == camera
     assert sample.alignment.pairs.text() == "Now click the same place on surface 2."
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.actions_of.undo.trigger()
-    assert sample.session.document.paths == files
+    assert sample.workbench.document.paths == files
 
 
 def test_a_session_says_which_scan_is_missing_and_where_it_was_found(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot, monkeypatch
 ):
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *files)
     path = tmp_path / "x.surfcmp"
     with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
         window.sessions.save(path, embed=False)
-    measures = window.session.shown.comparison.measures
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    measures = window.workbench.shown.comparison.measures
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         window.opening.open_sample()
     found = files[1].rename(tmp_path / "elsewhere.xyz")
     with qtbot.waitSignal(window.sessions.opening.finished, timeout=PATIENCE):
@@ -100,10 +100,10 @@ def test_a_session_says_which_scan_is_missing_and_where_it_was_found(
     assert window.banner.label.text().startswith("This file is not the after.xyz")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(found), ""))
     window.sessions._ask_where(path, Fault(2, "after.xyz", "missing"), {})
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         pass
-    assert window.session.document.paths == (files[0], found)
-    assert window.session.shown.comparison.measures == measures
+    assert window.workbench.document.paths == (files[0], found)
+    assert window.workbench.shown.comparison.measures == measures
     assert not window.banner.action.isVisible()
 
 
@@ -111,7 +111,7 @@ def test_a_session_says_which_scan_is_missing_and_where_it_was_found(
 def test_a_session_is_saved_with_or_without_its_scans(
     window: MainWindow, files: tuple[Path, Path], qtbot: QtBot, monkeypatch, kind: int
 ):
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *files)
     path = files[0].with_name("x.surfcmp")
 
@@ -127,7 +127,7 @@ def test_a_session_is_saved_with_or_without_its_scans(
 def test_a_session_is_saved_again_where_it_lies(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot, monkeypatch
 ):
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *files)
     path, asked = tmp_path / "x.surfcmp", []
 
@@ -143,7 +143,7 @@ def test_a_session_is_saved_again_where_it_lies(
             qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
         assert json.loads(path.read_text())["view"]["heatmap"] == heatmap
     assert len(asked) == 1
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         window.opening.swap_surfaces()
     with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
         qtbot.keyClick(window, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
@@ -159,23 +159,23 @@ def test_nothing_is_saved_without_surfaces(window: MainWindow, tmp_path: Path):
 
 def end_here(window: MainWindow) -> None:
     """Let go of what is kept, as if the program had ended here, and keep something new."""
-    kept = window.sessions.kept
-    kept._held.close()
-    window.sessions.kept = Kept(kept.folder.parent)
+    folder = window.sessions.folder
+    folder._held.close()
+    window.sessions.folder = WindowFolder(folder.path.parent)
 
 
 def test_unpacked_scans_go_with_the_window(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *files)
     path = tmp_path / "x.surfcmp"
     with qtbot.waitSignal(window.sessions.saving.finished, timeout=PATIENCE):
         window.sessions.save(path, embed=True)
     files[0].unlink()
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         window.sessions.open(path)
-    unpacked = window.session.document.paths[0]
+    unpacked = window.workbench.document.paths[0]
     assert unpacked != files[0]
     assert unpacked.is_file()
     window.sessions._save_now()
@@ -190,17 +190,17 @@ def test_a_crash_is_noticed_at_the_next_start(
 ):
     sample.sessions._later.blockSignals(True)  # only what is saved here
     sample.sessions._save_now()
-    left = sample.sessions.kept.autosave
+    left = sample.sessions.folder.autosave
     assert left.is_file()
-    document = sample.session.document
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    document = sample.workbench.document
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     end_here(sample)
     assert sample.sessions.offer_recovery()
     assert not left.is_file()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.banner.action, Qt.MouseButton.LeftButton)
-    assert sample.session.document == document
+    assert sample.workbench.document == document
     sample.sessions._save_now()
     sample.sessions.close()
     assert list(left.parent.parent.iterdir()) == []
@@ -225,13 +225,13 @@ def test_what_is_shown_is_exported(sample: MainWindow, ending: str, tmp_path: Pa
     path = tmp_path / f"out{ending}"
     with qtbot.waitSignal(sample.exporting.runner.finished, timeout=PATIENCE):
         sample.exporting.write(path)
-    measures = sample.session.shown.comparison.measures
+    measures = sample.workbench.shown.comparison.measures
     if ending == ".json":
         assert json.loads(path.read_text())["measures"]["rms"] == measures.rms
     elif ending == ".csv":
         with path.open() as stream:
             rows = sum(1 for _ in csv.reader(stream)) - 1
-        assert rows == len(sample.session.shown.comparison.united.triangles)
+        assert rows == len(sample.workbench.shown.comparison.united.triangles)
     else:
         page = path.read_text()
         assert page.count("<figure>") == 3 + 4  # those of the report, and the views
@@ -274,9 +274,9 @@ def test_reports_are_light_where_the_window_is_dark(
 def test_exports_have_the_scale_and_regions_of_the_window(
     sample: MainWindow, tmp_path: Path, qtbot: QtBot
 ):
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.regions_of.draw(Tool.LASSO, ((20.0, -50.0), (70.0, -50.0), (40.0, 0.0)))
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.regions.weighed.emit(0, 2.0)
     tolerances = sample.display.state.scale.tolerances
     sample.scale.changed.emit(ScaleChoice(1.5, tolerances, banded=True, pinned=True))
@@ -288,7 +288,7 @@ def test_exports_have_the_scale_and_regions_of_the_window(
         data[ending] = path.read_bytes()
     record = json.loads(data[".json"])
     assert record["scale"] == {"end": 1.5, "bands": [0.5, 1.0, 2.0], "signed": True}
-    shown = sample.session.shown
+    shown = sample.workbench.shown
     drawn, rest = record["regions"]
     assert (drawn["name"], drawn["weight"], rest["name"]) == ("Region 1", 2.0, None)
     assert drawn["measures"]["p95"] == shown.regions[0].measures.p95
@@ -304,7 +304,7 @@ def test_exports_have_the_scale_and_regions_of_the_window(
 def test_names_and_paths_can_be_hidden(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *files)
     window.actions_of.hide.trigger()
     path = tmp_path / "out" / "page.html"
@@ -315,7 +315,7 @@ def test_names_and_paths_can_be_hidden(
     for file in files:
         assert file.name not in page
         assert str(file.parent) not in page
-    sha = window.session.shown.comparison.surfaces[0].sha256
+    sha = window.workbench.shown.comparison.surfaces[0].sha256
     assert sha
     assert sha in page
     title = window.grid.frames[0].title
@@ -329,7 +329,7 @@ def test_an_input_is_not_overwritten(
     window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
     csv_files = tuple(file.rename(file.with_suffix(".csv")) for file in files)
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, *csv_files)
     before = csv_files[0].read_bytes()
     with qtbot.waitSignal(window.exporting.runner.failed, timeout=PATIENCE):
@@ -341,7 +341,7 @@ def test_an_input_is_not_overwritten(
 def test_recent_pairs_are_listed_and_forgotten(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     sample.actions_of.recent.aboutToShow.emit()
     names = [action.text() for action in sample.actions_of.recent.actions()]

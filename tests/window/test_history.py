@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from app.model.document import Document, Motion
 from app.model.history import MOST_STEPS, Change, History, Step, change_between
-from app.model.landmark import Pair
+from app.model.landmark import Landmark
 from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Kept, Place, ScaleChoice
 from app.window import MainWindow
@@ -118,7 +118,7 @@ REGION = Region("r", (1, 2, 3))
         (FIRST, seen(edges=False), Change.EDGES),
         (FIRST, seen(probes=(Place(1, (1, 0, 0)),)), Change.PROBES),
         (FIRST, seen(section=(0, 0, 1, 1)), Change.SECTION),
-        (FIRST, seen(landmarks=(Pair(),)), Change.LANDMARKS),
+        (FIRST, seen(landmarks=(Landmark(),)), Change.LANDMARKS),
     ],
 )
 def test_each_change_has_its_name(old: Step, new: Step, change: Change, sample: MainWindow):
@@ -142,7 +142,7 @@ def test_opening_the_first_pair_is_the_beginning(sample: MainWindow):
 
 
 def test_the_scale_and_the_map_are_undone(sample: MainWindow, qtbot: QtBot):
-    session, first = sample.session, sample.display.state
+    workbench, first = sample.workbench, sample.display.state
     sample.toolbar.heatmap.choices[Heatmap.ABSOLUTE].trigger()
     assert sample.actions_of.undo.text() == "&Undo choice of the map"
     show(sample, "scale")
@@ -160,20 +160,20 @@ def test_the_scale_and_the_map_are_undone(sample: MainWindow, qtbot: QtBot):
     redo(sample)
     redo(sample)
     assert sample.display.state.kept == second.kept
-    assert not session.runner.busy
+    assert not workbench.runner.busy
 
 
 def test_a_tolerance_is_undone_with_its_line(sample: MainWindow, qtbot: QtBot):
     show(sample, "scale")
     histogram, before = sample.scale.histogram, sample.display.state.scale
     x = histogram.to_screen(before.tolerances[-1], 0.0).x() / histogram.width()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drag(qtbot, histogram, (x, 0.5), (x + 0.05, 0.5), (x + 0.1, 0.5))
     assert sample.display.state.scale.tolerances != before.tolerances
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         undo(sample)
     assert sample.display.state.scale == before
-    assert sample.session.document.options.tolerances == before.tolerances
+    assert sample.workbench.document.options.tolerances == before.tolerances
     assert not sample.actions_of.undo.isEnabled()
 
 
@@ -184,13 +184,13 @@ def test_labels_and_section_come_back_with_their_surfaces(
     sample.places.keep()
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), heatmap=Heatmap.ABSOLUTE)
     before = sample.display.state
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     assert sample.display.state.probes == ()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         undo(sample)
     assert sample.display.state.kept == before.kept
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         redo(sample)
     assert sample.display.state.probes == ()
     assert sample.display.state.section is None
@@ -198,7 +198,7 @@ def test_labels_and_section_come_back_with_their_surfaces(
 
 def test_a_landmark_is_undone(sample: MainWindow):
     for view in (0, 1, 0):
-        point = sample.session.shown.content.geometry.origin
+        point = sample.workbench.shown.content.geometry.origin
         sample.alignment_of.add_landmark(view + 1, point)
     assert len(sample.alignment_of.pairs) == 2
     undo(sample)
@@ -213,24 +213,24 @@ def test_a_landmark_is_undone(sample: MainWindow):
 def test_undo_while_comparing_and_cancel_leave_what_is_shown(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     undo(sample)
-    sample.session.runner.cancel()
-    assert sample.session.document.paths == files
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    sample.workbench.runner.cancel()
+    assert sample.workbench.document.paths == files
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         undo(sample)
-    assert sample.session.document.paths != files
+    assert sample.workbench.document.paths != files
     assert sample.actions_of.redo.isEnabled()
 
 
 def test_a_change_of_the_view_while_comparing_survives(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
         sample.display.change(heatmap=Heatmap.TRUST)
     assert sample.display.state.heatmap is Heatmap.TRUST
     undo(sample)
     assert sample.display.state.heatmap is Heatmap.SIGNED
-    assert sample.session.document.paths == files
+    assert sample.workbench.document.paths == files

@@ -29,7 +29,7 @@ def start(window):
     def shown(_):
         print(sockets_of_networks() if os.path.isdir("/proc/self/fd") else [], flush=True)
         window.close()
-    window.session.compared.connect(shown)
+    window.workbench.compared.connect(shown)
 
 app.window.MainWindow.start = start
 sys.exit(app.window.run([]))

@@ -22,7 +22,7 @@ def test_a_range_is_brushed_in_the_histogram(sample: MainWindow, qtbot: QtBot):
     assert brush is not None
     limit = sample.display.state.scale.limit
     assert -limit < brush[0] < brush[1] < limit
-    comparison = sample.session.shown.comparison
+    comparison = sample.workbench.shown.comparison
     share = distribution_of(comparison.mean_signed, comparison.area).within(*brush)
     assert f"{100 * share:.1f} %" in sample.scale.beyond.text()
     drag(qtbot, sample.scale.histogram, (0.3, 0.5), (0.3, 0.5))
@@ -32,14 +32,14 @@ def test_a_range_is_brushed_in_the_histogram(sample: MainWindow, qtbot: QtBot):
 def test_a_tolerance_is_dragged(sample: MainWindow, qtbot: QtBot):
     show(sample, "scale")
     histogram = sample.scale.histogram
-    before = sample.session.document.options.tolerances
+    before = sample.workbench.document.options.tolerances
     x = histogram.to_screen(before[-1], 0.0).x() / histogram.width()
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drag(qtbot, histogram, (x, 0.5), (x + 0.05, 0.5), (x + 0.1, 0.5))
-    after = sample.session.document.options.tolerances
+    after = sample.workbench.document.options.tolerances
     assert after[:-1] == before[:-1]
     assert after[-1] > before[-1]
-    measured = sample.session.shown.comparison.measures.within_tolerance
+    measured = sample.workbench.shown.comparison.measures.within_tolerance
     assert list(measured) == [f"{tolerance:g}" for tolerance in after]
     assert sample.measures.value(f"≤ {after[-1]:g} mm")
 
@@ -65,7 +65,7 @@ def test_a_chain_is_flown_to(sample: MainWindow, qtbot: QtBot):
 
 def test_chains_are_sorted_by_any_column(sample: MainWindow, qtbot: QtBot):
     show(sample, "chains")
-    model, table = sample.chains.model, sample.session.shown.content.chains
+    model, table = sample.chains.model, sample.workbench.shown.content.chains
     for column, values in ((3, table.area), (4, table.mean_abs), (5, table.share)):
         model.sort(column, Qt.SortOrder.DescendingOrder)
         order = [model.chain(row) for row in range(model.rowCount())]
@@ -109,22 +109,22 @@ def test_a_section_is_drawn(sample: MainWindow, qtbot: QtBot):
 
 def test_options_compare_anew(sample: MainWindow, qtbot: QtBot):
     show(sample, "options")
-    before = sample.session.shown.comparison
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    before = sample.workbench.shown.comparison
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.options.domain.choices["plane"].trigger()
-    after = sample.session.shown.comparison
+    after = sample.workbench.shown.comparison
     assert after.options.domain == "plane"
     assert after.measures.area_compared > before.measures.area_compared
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.actions_of.undo.trigger()
-    assert sample.session.shown.comparison.measures == before.measures
+    assert sample.workbench.shown.comparison.measures == before.measures
 
 
 def test_the_exact_reading_stands_beside_the_nodal_one(sample: MainWindow, qtbot: QtBot):
     show(sample, "options")
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.options.exact.click()
-    assert sample.session.shown.comparison.measures.exact is not None
+    assert sample.workbench.shown.comparison.measures.exact is not None
     groups = {
         sample.measures.tree.topLevelItem(k).text(0)
         for k in range(sample.measures.tree.topLevelItemCount())
@@ -140,7 +140,7 @@ def test_a_wrong_longest_side_changes_nothing(sample: MainWindow, qtbot: QtBot):
         box.setText("")
         qtbot.keyClicks(box, text)
         qtbot.keyClick(box, Qt.Key.Key_Return)
-        assert sample.session.document.options.max_edge is None
+        assert sample.workbench.document.options.max_edge is None
         assert box.text() == ""
 
 

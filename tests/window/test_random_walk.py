@@ -26,27 +26,27 @@ SEED = int(os.environ.get("SURFCMP_SEED", "11"))
 
 def check(window: MainWindow) -> None:
     """What is shown, the document, the view and the history must belong together."""
-    session, display = window.session, window.display
-    if session.shown is None:
+    workbench, display = window.workbench, window.display
+    if workbench.shown is None:
         return
-    assert session.document == session.shown.document
-    assert display.content is session.shown.content
-    assert display.state.kept == session.history.current.view
-    assert display.state.scale.tolerances == session.document.options.tolerances
-    assert window.actions_of.undo.isEnabled() == (session.history.undoable is not None)
-    assert window.actions_of.redo.isEnabled() == (session.history.redoable is not None)
-    measures = session.shown.comparison.measures
-    parts = [part.measures.area_compared for part in session.shown.regions if part.measures]
-    if session.document.regions:
+    assert workbench.document == workbench.shown.document
+    assert display.content is workbench.shown.content
+    assert display.state.kept == workbench.history.current.view
+    assert display.state.scale.tolerances == workbench.document.options.tolerances
+    assert window.actions_of.undo.isEnabled() == (workbench.history.undoable is not None)
+    assert window.actions_of.redo.isEnabled() == (workbench.history.redoable is not None)
+    measures = workbench.shown.comparison.measures
+    parts = [part.measures.area_compared for part in workbench.shown.regions if part.measures]
+    if workbench.document.regions:
         assert sum(parts) == pytest.approx(measures.area_compared, rel=1e-12)
-    triangles = len(session.shown.comparison.united.triangles)
+    triangles = len(workbench.shown.comparison.united.triangles)
     assert all(place.triangle < triangles for place in display.state.probes)
 
 
 @pytest.mark.timeout(1800)
 def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot):
     chance = random.Random(SEED)
-    session, display = window.session, window.display
+    workbench, display = window.workbench, window.display
     bad = tmp_path / "bad.ply"
     bad.write_text("no")
     saved = tmp_path / "walk.surfcmp"
@@ -67,8 +67,8 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         )
 
     def of_a_region(signal: SignalInstance, *values: object) -> None:
-        if session.document.regions:
-            signal.emit(chance.randrange(len(session.document.regions)), chance.choice(values))
+        if workbench.document.regions:
+            signal.emit(chance.randrange(len(workbench.document.regions)), chance.choice(values))
 
     def stroke() -> None:
         window.regions.take.setChecked(chance.random() < 0.4)
@@ -76,12 +76,12 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         window.regions_of.draw(tool, (spot(), spot(), spot(), spot()))
 
     def landmark() -> None:
-        if session.shown is not None:
-            place = session.shown.content.geometry.origin + np.array([*spot(), chance.random()])
+        if workbench.shown is not None:
+            place = workbench.shown.content.geometry.origin + np.array([*spot(), chance.random()])
             window.alignment_of.add_landmark(chance.choice([1, 2]), place)
 
     def settle() -> None:
-        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        qtbot.waitUntil(lambda: not workbench.runner.busy, timeout=PATIENCE)
         check(window)
 
     def option() -> None:
@@ -92,12 +92,12 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
     actions = [
         lambda: window.opening.take(list(files)),
         lambda: window.opening.take([bad, files[0]]),
-        lambda: session.open([files[chance.randrange(2)]], chance.choice([1, 2])),
-        session.runner.cancel,
-        session.undo,
-        session.redo,
-        session.undo,
-        session.redo,
+        lambda: workbench.open([files[chance.randrange(2)]], chance.choice([1, 2])),
+        workbench.runner.cancel,
+        workbench.undo,
+        workbench.redo,
+        workbench.undo,
+        workbench.redo,
         window.opening.swap_surfaces,
         lambda: window.alignment.nudged.emit(chance.choice(["x", "z", "ry"]), 0.5),
         lambda: window.alignment_of.best_fit(False),
@@ -150,11 +150,11 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
         lambda: qtbot.wait(chance.choice([1, 10, 60])),
         *[settle] * 8,
     ]
-    session.failed.connect(errors.append)
+    workbench.failed.connect(errors.append)
     with capture_exceptions() as exceptions:
         for _ in range(STEPS):
             chance.choice(actions)()
-        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        qtbot.waitUntil(lambda: not workbench.runner.busy, timeout=PATIENCE)
         for runner in window.runners:
             qtbot.waitUntil(lambda r=runner: not r.busy and r.wait(0.0), timeout=PATIENCE)
         qtbot.wait(200)
@@ -162,19 +162,19 @@ def test_a_random_walk(window: MainWindow, files: tuple[Path, Path], tmp_path: P
     assert all("\n" not in error and "internal" not in error for error in errors), errors
     check(window)
     for _ in range(8):  # all the way back, and forth again
-        session.undo()
-        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        workbench.undo()
+        qtbot.waitUntil(lambda: not workbench.runner.busy, timeout=PATIENCE)
         check(window)
     for _ in range(8):
-        session.redo()
-        qtbot.waitUntil(lambda: not session.runner.busy, timeout=PATIENCE)
+        workbench.redo()
+        qtbot.waitUntil(lambda: not workbench.runner.busy, timeout=PATIENCE)
         check(window)
     names = {thread.name for thread in threading.enumerate()}
     assert names <= {"MainThread", "studio", "comparison"}
     # and it still works
-    session.open(files[::-1])
-    session.open(files)
+    workbench.open(files[::-1])
+    workbench.open(files)
     qtbot.waitUntil(
-        lambda: not session.runner.busy and session.shown.document.paths == files,
+        lambda: not workbench.runner.busy and workbench.shown.document.paths == files,
         timeout=PATIENCE,
     )

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from app.jobs.session_files import open_session, save_session
 from app.model.document import FIT_KEYS, Document, Motion
-from app.model.landmark import Pair
+from app.model.landmark import Landmark
 from app.model.region import Region, Stroke
 from app.model.session_text import Eye, from_text, regions_from, regions_text, to_text, write
 from app.model.view_state import Heatmap, Place, ScaleChoice, ViewState
@@ -59,7 +59,7 @@ states = st.builds(
     probes=st.lists(place, max_size=2).map(tuple),
     brush=st.none() | st.tuples(number, number),
     chain=st.none() | st.integers(0, 99),
-    landmarks=st.lists(st.builds(Pair, st.none() | triple, st.none() | triple)).map(tuple),
+    landmarks=st.lists(st.builds(Landmark, st.none() | triple, st.none() | triple)).map(tuple),
     dark=st.booleans(),
 )
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from app.jobs.session_files import save_session
-from app.jobs.window_folder import Kept
+from app.jobs.window_folder import WindowFolder
 from app.model.document import Document
 from app.model.view_state import ViewState
 from surfcmp_core.system.progress import silent
@@ -41,17 +41,17 @@ def listen(window):
     threading.Thread(target=read, daemon=True).start()
 
 def act(window, word, *more):
-    session = window.session
+    workbench = window.workbench
     if word == "open":
         window.sessions.open(Path(*more))
     elif word == "compare":
-        options = replace(session.document.options, domain=more[0])
-        session.set_document(replace(session.document, options=options))
+        options = replace(workbench.document.options, domain=more[0])
+        workbench.set_document(replace(workbench.document, options=options))
     elif word == "restore":
         window.banner.action.click()
     elif word == "save":
         window.sessions._save_now()
-        say(saved=str(window.sessions.kept.autosave))
+        say(saved=str(window.sessions.folder.autosave))
     elif word == "close":
         window.close()
 
@@ -62,14 +62,14 @@ def started(window):
 def offered(sessions):
     found, (window,) = offer(sessions), windows
     listen(window)
-    window.session.compared.connect(lambda _: say(compared=list(map(str, session_paths(window)))))
-    window.session.failed.connect(lambda text: say(failed=text))
+    window.workbench.compared.connect(lambda _: say(compared=[*map(str, paths_of(window))]))
+    window.workbench.failed.connect(lambda text: say(failed=text))
     window.sessions.opening.failed.connect(lambda text: say(failed=text))
     say(offered=found)
     return True  # no sample in any case
 
-def session_paths(window):
-    return window.session.document.paths
+def paths_of(window):
+    return window.workbench.document.paths
 
 windows = []
 start, app.window.MainWindow.start = app.window.MainWindow.start, started
@@ -158,21 +158,21 @@ def test_two_windows_do_not_disturb_each_other(session: Path, tmp_path: Path):
 
 def left_behind(folder: Path, text: str) -> Path:
     """Do as a window that saves a session and is killed."""
-    kept = Kept(folder)
+    kept = WindowFolder(folder)
     kept.begin()
     kept.autosave.write_text(text)
     kept._held.close()
-    return kept.folder
+    return kept.path
 
 
 def test_each_dead_window_is_offered_once_the_newest_first(tmp_path: Path):
     for age, name in ((9, "middle"), (20, "oldest"), (3, "newest")):
         os.utime(left_behind(tmp_path, name) / "autosave.surfcmp", (-age + 1e9, -age + 1e9))
-    windows = [Kept(tmp_path) for _ in range(4)]
+    windows = [WindowFolder(tmp_path) for _ in range(4)]
     found = [window.rescue() for window in windows]
     assert [path and path.read_text() for path in found] == ["newest", "middle", "oldest", None]
     windows[1]._held.close()  # dies too, before it has saved anything
-    again = Kept(tmp_path)
+    again = WindowFolder(tmp_path)
     assert again.rescue().read_text() == "middle"
     for window in (windows[0], *windows[2:], again):
         window.close()
@@ -180,20 +180,20 @@ def test_each_dead_window_is_offered_once_the_newest_first(tmp_path: Path):
 
 
 def test_what_was_left_without_a_session_goes(tmp_path: Path):
-    kept = Kept(tmp_path)
+    kept = WindowFolder(tmp_path)
     kept.begin()
     (kept.scans / "one").mkdir(parents=True)
-    living = Kept(tmp_path)
+    living = WindowFolder(tmp_path)
     living.begin()
     kept._held.close()
-    assert Kept(tmp_path).rescue() is None
-    assert not kept.folder.exists()
-    assert living.folder.is_dir()
+    assert WindowFolder(tmp_path).rescue() is None
+    assert not kept.path.exists()
+    assert living.path.is_dir()
     living.close()
 
 
 def test_nothing_is_made_before_something_is_kept(tmp_path: Path):
-    kept = Kept(tmp_path / "state")
+    kept = WindowFolder(tmp_path / "state")
     assert kept.rescue() is None
     kept.close()
     assert list(tmp_path.iterdir()) == []

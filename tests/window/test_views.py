@@ -112,7 +112,7 @@ def test_the_right_button_turns_while_a_tool_is_in_hand(sample: MainWindow, qtbo
     qtbot.mouseMove(canvas, centre + QPoint(40, 10))
     qtbot.mouseRelease(canvas, RIGHT, pos=centre + QPoint(40, 10))
     assert sample.display.camera.back != start.back
-    assert sample.session.document.regions == ()
+    assert sample.workbench.document.regions == ()
     qtbot.keyClick(sample, Qt.Key.Key_V)
 
 
@@ -142,10 +142,10 @@ def test_a_section_follows_the_line_on_the_screen(sample: MainWindow, relief: bo
 def test_a_brush_paints_the_relief(sample: MainWindow, qtbot: QtBot):
     show(sample, "regions")
     qtbot.mouseClick(sample.regions.brush, LEFT)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drag(qtbot, sample.grid.frames[0].canvas, (0.45, 0.4), (0.5, 0.4), (0.55, 0.4))
     assert sample.display.state.relief
-    first, *_ = sample.session.shown.regions
+    first, *_ = sample.workbench.shown.regions
     assert first.measures is not None
     assert first.triangles > 20
 

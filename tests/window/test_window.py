@@ -40,7 +40,7 @@ def test_the_sample_is_compared_at_first_start(sample: MainWindow):
 def test_two_dropped_files_give_the_numbers_of_the_command_line(
     sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     out = tmp_path / "result.json"
     assert main(["compare", *map(str, files), "--out", str(out), "--quiet"]) == 0
@@ -57,26 +57,26 @@ def test_one_dropped_file_fills_the_empty_place(
     window: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
     drop(window, files[0])
-    assert window.session.document.paths == (files[0], None)
-    assert not window.session.runner.busy
-    with qtbot.waitSignal(window.session.compared, timeout=PATIENCE):
+    assert window.workbench.document.paths == (files[0], None)
+    assert not window.workbench.runner.busy
+    with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
         drop(window, files[1])
-    assert window.session.document.paths == files
+    assert window.workbench.document.paths == files
 
 
 def test_one_dropped_file_asks_where_both_places_are_taken(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
-    before = sample.session.document.paths
+    before = sample.workbench.document.paths
     drop(sample, files[0])
-    assert sample.session.document.paths == before
+    assert sample.workbench.document.paths == before
     menu = sample.dialogs.question
     qtbot.waitUntil(menu.isVisible)
     choice = next(a for a in menu.actions() if "2" in a.text() and not a.isSeparator())
-    with qtbot.waitSignal(sample.session.runner.cancelled, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.runner.cancelled, timeout=PATIENCE):
         choice.trigger()
-        assert sample.session.document.paths == (before[0], files[0])
-        sample.session.runner.cancel()
+        assert sample.workbench.document.paths == (before[0], files[0])
+        sample.workbench.runner.cancel()
     menu.close()
 
 
@@ -87,50 +87,50 @@ def test_three_files_are_refused_with_one_line(sample: MainWindow, files: tuple[
 
 
 def test_a_bad_file_leaves_what_was_shown(sample: MainWindow, tmp_path: Path, qtbot: QtBot):
-    shown, before = sample.session.shown, sample.measures.table()
+    shown, before = sample.workbench.shown, sample.measures.table()
     bad = tmp_path / "bad.ply"
     bad.write_text("nothing of the kind")
-    with qtbot.waitSignal(sample.session.failed, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.failed, timeout=PATIENCE):
         drop(sample, bad, bad)
     assert sample.banner.isVisible()
     assert "bad.ply" in sample.banner.label.text()
     assert "\n" not in sample.banner.label.text()
-    assert sample.session.shown is shown
-    assert sample.session.document.paths == shown.document.paths
+    assert sample.workbench.shown is shown
+    assert sample.workbench.document.paths == shown.document.paths
     assert sample.measures.table() == before
 
 
 def test_cancel_leaves_what_was_shown(sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot):
-    shown = sample.session.shown
-    with qtbot.waitSignal(sample.session.runner.cancelled, timeout=PATIENCE):
+    shown = sample.workbench.shown
+    with qtbot.waitSignal(sample.workbench.runner.cancelled, timeout=PATIENCE):
         drop(sample, *files)
         assert sample.progress.isVisible()
         qtbot.mouseClick(sample.progress.cancel, Qt.MouseButton.LeftButton)
     assert not sample.progress.isVisible()
-    assert sample.session.shown is shown
-    assert sample.session.document == shown.document
+    assert sample.workbench.shown is shown
+    assert sample.workbench.document == shown.document
     qtbot.wait(300)  # a late result would come now
-    assert sample.session.shown is shown
+    assert sample.workbench.shown is shown
 
 
 def test_the_newest_of_two_wishes_wins(sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot):
     results = []
-    sample.session.compared.connect(results.append)
+    sample.workbench.compared.connect(results.append)
     drop(sample, *files)
     drop(sample, files[1], files[0])
-    qtbot.waitUntil(lambda: not sample.session.runner.busy, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: not sample.workbench.runner.busy, timeout=PATIENCE)
     assert [result.document.paths for result in results] == [(files[1], files[0])]
 
 
 def test_exchange_changes_the_sign(sample: MainWindow, qtbot: QtBot):
-    before = sample.session.shown.content.comparison.measures
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    before = sample.workbench.shown.content.comparison.measures
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.toolbar.swap, Qt.MouseButton.LeftButton)
-    after = sample.session.shown.content.comparison.measures
+    after = sample.workbench.shown.content.comparison.measures
     assert math.isclose(after.mean_signed, -before.mean_signed, rel_tol=1e-9)
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         sample.actions_of.undo.trigger()
-    assert sample.session.shown.content.comparison.measures == before
+    assert sample.workbench.shown.content.comparison.measures == before
 
 
 @pytest.mark.parametrize("view", range(4))
@@ -178,7 +178,7 @@ def test_the_range_stays_until_it_is_changed(
     qtbot.keyClicks(box, "3.5")
     qtbot.keyClick(box, Qt.Key.Key_Return)
     assert sample.display.state.scale.limit == 3.5
-    with qtbot.waitSignal(sample.session.compared, timeout=PATIENCE):
+    with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         drop(sample, *files)
     assert sample.display.state.scale.limit == 3.5
     qtbot.mouseClick(sample.scale.fit, Qt.MouseButton.LeftButton)
@@ -219,6 +219,6 @@ def test_dark_and_light(sample: MainWindow, qtbot: QtBot):
 
 def test_closing_during_a_computation(window: MainWindow, files: tuple[Path, Path]):
     drop(window, *files)
-    assert window.session.runner.busy
+    assert window.workbench.runner.busy
     window.close()
-    assert not window.session.runner.busy
+    assert not window.workbench.runner.busy

@@ -1,4 +1,4 @@
-"""What is compared: takes files in, keeps the history, has the core run."""
+"""What is on the workbench: takes files in, keeps the history, has the core run."""
 
 import time
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ MERGED_SECONDS = 0.6
 """Changes of the scale that follow each other so fast are one drag, and one step."""
 
 
-class Session(QObject):
+class Workbench(QObject):
     """The steps so far, and the comparison that belongs to the one in force.
 
     A step is a document and the kept part of the view. Every change of either is a step, but for
