@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
-    from surfcmp_core.comparing.pipeline import compare
+    from surfcmp_core.comparing.request import compare
     from surfcmp_core.errors import InputError
     from surfcmp_core.io import read_surface
     from surfcmp_core.surface import Surface
@@ -22,7 +22,7 @@ _HOMES = {
     "Comparison": "surfcmp_core.comparing.comparison",
     "InputError": "surfcmp_core.errors",
     "Surface": "surfcmp_core.surface",
-    "compare": "surfcmp_core.comparing.pipeline",
+    "compare": "surfcmp_core.comparing.request",
     "read_surface": "surfcmp_core.io",
 }
 

@@ -65,3 +65,22 @@ class Cancelled(SurfcmpError):  # noqa: N818 - not a fault
 
 class Violation(SurfcmpError):  # noqa: N818 - as in "a violation is an error"
     """What must hold of every comparison does not: a fault of this program, not of the input."""
+
+
+class OptionError(SurfcmpError, ValueError):
+    """An option means nothing, whatever the input.
+
+    Attributes
+    ----------
+    option : str
+        As in Python; the command line has it with dashes.
+    value : object
+    must : str
+        What it must be.
+    """
+
+    def __init__(self, option: str, value: object, must: str) -> None:
+        super().__init__(f"{option} {value!r}: must be {must}")
+        self.option = option
+        self.value = value
+        self.must = must

@@ -16,8 +16,8 @@ import numpy as np
 
 from surfcmp_core import Surface, compare
 from surfcmp_core.alignment import best_fit
+from surfcmp_core.comparing.cloud_data import data_of_cloud
 from surfcmp_core.comparing.comparison import Comparison
-from surfcmp_core.comparing.side import data_of_cloud
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.thinning import thin_to_spacing
 from surfcmp_core.projection.placement import place

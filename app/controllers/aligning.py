@@ -15,10 +15,11 @@ from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.jobs.region_measures import region_mask
 from app.jobs.runner import Runner
-from app.model.document import FIT_KEYS, NOT_MOVED, Matrix, Motion
 from app.model.landmark import Landmark, Point
 from app.model.tool import Tool
 from app.panels.alignment_panel import AlignmentPanel
+from surfcmp_core.alignment.fit import FIT_KEYS
+from surfcmp_core.comparing.options import NOT_MOVED, Matrix, Motion
 from surfcmp_core.errors import InputError
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface.together import carried
@@ -170,7 +171,7 @@ class Aligning(QObject):
         workbench = self._workbench
         if workbench.shown is not None:
             self._before = workbench.shown.comparison.measures
-        workbench.set_document(replace(workbench.document, motion=motion))
+        workbench.set_document(workbench.document.asking(align=motion))
 
     def _compared(self, result: Compared) -> None:
         if result.document.motion == NOT_MOVED:

@@ -26,9 +26,8 @@ class Scaling(QObject):
 
     def choose(self, scale: ScaleChoice) -> None:
         """Put another scale in force."""
-        document = self._workbench.document
-        options = replace(document.options, tolerances=scale.tolerances)
-        self._workbench.set_document(replace(document, options=options), scale=scale)
+        document = self._workbench.document.asking(tolerances=scale.tolerances)
+        self._workbench.set_document(document, scale=scale)
 
     def fit(self) -> None:
         """Fit the range to the differences; it stays there afterwards."""

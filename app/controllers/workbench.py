@@ -15,6 +15,7 @@ from app.model.document import Document
 from app.model.history import History, Step
 from app.model.view_state import Kept, Of, ScaleChoice, ViewState
 from app.scene.camera import Camera
+from surfcmp_core.comparing.options import NOT_MOVED
 from surfcmp_core.report.record import unit_of
 
 MERGED_SECONDS = 0.6
@@ -70,7 +71,9 @@ class Workbench(QObject):
         files = [path.absolute() for path in paths]
         document = self.document
         if len(files) >= 2:
-            document = Document((files[0], files[1]), document.options, unit=document.unit)
+            document = Document((files[0], files[1]), document.options).asking(
+                align=NOT_MOVED, project="z"
+            )
         elif files:
             missing = 1 if document.paths[0] is None else 2
             document = document.with_path(number or missing, files[0])

@@ -4,10 +4,7 @@ import time
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
-
-import numpy as np
 
 from app.jobs.region_measures import (
     RegionMeasures,
@@ -16,15 +13,14 @@ from app.jobs.region_measures import (
     weighted,
     with_tolerances,
 )
-from app.model.document import NOT_MOVED, Document
+from app.model.document import Document
 from app.scene.borders import borders_of
 from app.scene.content import Content, content_of
 from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.comparing.options import Options
+from surfcmp_core.report import make_record
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.progress import Progress
-
-_ASKED = ("weight", "align", "project", "view", "reversed")
-"""Options that the comparison itself does not know."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +56,7 @@ def compared(document: Document, before: Compared | None, progress: Progress) ->
     """
     progress("read", 0.0)
     found = None if before is None else _measured_anew(document, before)
-    comparison, record = found or _compare(document, progress)
+    comparison = found or _compare(document, progress)
     progress("picture", 0.98)
     regions = document.regions
     number = region_of(comparison, regions)
@@ -72,84 +68,45 @@ def compared(document: Document, before: Compared | None, progress: Progress) ->
     else:
         content = content_of(shown, region=number if regions else None, colours=colours)
     parts = measured_regions(comparison, regions, number)
-    return Compared(document, comparison, record, content, parts)
+    return Compared(document, comparison, make_record(comparison), content, parts)
 
 
-def _measured_anew(
-    document: Document, before: Compared
-) -> tuple[Comparison, dict[str, Any]] | None:
+def _measured_anew(document: Document, before: Compared) -> Comparison | None:
     """Return the comparison where nothing changed but tolerances and regions, else None."""
-    old = before.document
-    tolerances = document.options.tolerances
-    options = replace(old.options, tolerances=tolerances)
-    if replace(old, options=options, regions=document.regions) != document:
+    if not document.same_places(before.document):
         return None
-    if old.options == document.options:
-        return before.comparison, before.record
+    if document.options == before.document.options:
+        return before.comparison
     if document.options.exact:
         return None
-    comparison = with_tolerances(before.comparison, tolerances)
-    from surfcmp_core.report import make_document
-
-    kept = before.record["options"]
-    asked = {key: kept[key] for key in _ASKED if key in kept}
-    return comparison, make_document(comparison, asked, before.record["alignment"])
+    return with_tolerances(before.comparison, document.options.tolerances)
 
 
-def _compare(document: Document, progress: Progress) -> tuple[Comparison, dict[str, Any]]:
-    """Compare by the very function of the command line, so that the numbers are the same."""
-    from surfcmp_core.cli.pair import Settings, compare_surfaces
+def _compare(document: Document, progress: Progress) -> Comparison:
+    """Compare as the command line does, so that the numbers are the same."""
+    from surfcmp_core.comparing.request import compare_surfaces
 
     one, two = document.paths
     assert one is not None
     assert two is not None
-    options, motion = document.options, document.motion
+    options = document.options
     start = time.perf_counter()
-    surfaces = _surface(one, document.unit), _surface(two, document.unit)
+    surfaces = _surface(one, options), _surface(two, options)
     seconds = time.perf_counter() - start
-    with TemporaryDirectory(prefix="surfcmp-") as folder:
-        align = "none"
-        if motion != NOT_MOVED:
-            align = str(Path(folder) / "motion.npy")
-            np.save(align, np.array(motion.matrix))
-        settings = Settings(
-            domain=options.domain,
-            max_edge=options.max_edge,
-            exact=options.exact,
-            tolerances=options.tolerances,
-            duplicates=options.duplicates,
-            unit=document.unit or None,
-            weight=None,
-            align=align,
-            project=document.project,
-            threads=options.threads,
-        )
-        comparison, record = compare_surfaces(surfaces, settings, progress, seconds)
-    if motion != NOT_MOVED:
-        record["options"]["align"] = {
-            "method": motion.method,
-            "residual": motion.residual,
-            "inliers": motion.pairs,
-            "matrix": [list(row) for row in motion.matrix],
-        }
-        from surfcmp_core.alignment import record_of_motion
-
-        moved = record_of_motion(motion.method, np.array(motion.matrix)) | motion.fit
-        doubts = tuple(moved["doubts"])
-        comparison = replace(comparison, warnings=(*doubts, *comparison.warnings))
-        record |= {"alignment": moved, "warnings": [*doubts, *record["warnings"]]}
-    return comparison, record
+    return compare_surfaces(*surfaces, options, progress, seconds)
 
 
-def _surface(path: Path, unit: str) -> Surface:
+def _surface(path: Path, options: Options) -> Surface:
     status = path.stat() if path.exists() else None
     stamp = (status.st_mtime_ns, status.st_size) if status else (0, 0)
-    return read_once(path, stamp, unit)
+    return read_once(path, stamp, options.unit, options.no_data)
 
 
 @lru_cache(maxsize=2)
-def read_once(path: Path, _stamp: tuple[int, int], unit: str) -> Surface:
+def read_once(
+    path: Path, _stamp: tuple[int, int], unit: str | None, no_data: tuple[float, ...] = ()
+) -> Surface:
     """Read a file once for as long as it does not change."""
-    from surfcmp_core.cli.pair import read
+    from surfcmp_core.io import read_surface
 
-    return read(path, unit or None)
+    return read_surface(path, unit=unit, no_data=no_data)

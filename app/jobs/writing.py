@@ -61,7 +61,7 @@ def record_of(result: Compared, state: ViewState) -> dict[str, Any]:
     Beside what the command line writes it has the keys "scale" and, where there are any,
     "regions"; ρ_V with the weight µ counts the regions' weights.
     """
-    from surfcmp_core.report.record import region_document
+    from surfcmp_core.report.record import region_record
 
     record = dict(result.record)
     record["measures"] = {
@@ -71,7 +71,7 @@ def record_of(result: Compared, state: ViewState) -> dict[str, Any]:
     record["scale"] = asdict(state.colours)
     if result.regions:
         record["regions"] = [
-            region_document(
+            region_record(
                 None if part.region is None else part.region.name,
                 None if part.region is None else part.region.colour,
                 1.0 if part.region is None else part.region.weight,

@@ -2,15 +2,16 @@
 
 import json
 import os
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from app.model.document import FIT_KEYS, Document, Motion
+from app.model.document import Document
 from app.model.plain import read
 from app.model.region import Region
 from app.model.view_state import ViewState
-from surfcmp_core.comparing.comparison import Options
+from surfcmp_core.alignment.fit import FIT_KEYS
+from surfcmp_core.comparing.options import Motion, Options
 from surfcmp_core.errors import InputError
 from surfcmp_core.system.whole_files import write_all
 
@@ -19,6 +20,9 @@ VERSION = 2
 """1 had regions without an order of their strokes, and never held scans."""
 ENDING = ".surfcmp"
 
+
+_NUMBERS = ("domain", "max_edge", "exact", "tolerances", "duplicates", "threads")
+"""Fields of `Options` under "options"; "motion", "unit" and "project" stand beside them."""
 
 Three = tuple[float, float, float]
 Eye = tuple[Three, Three, Three, tuple[float]]
@@ -80,15 +84,16 @@ def to_text(
         else {"file": str(path), "beside": _beside(path, folder), "sha256": sha}
         for path, sha in zip(document.paths, hashes, strict=True)
     ]
+    options = document.options
     return json.dumps(
         {
             "kind": KIND,
             "version": VERSION,
             "inputs": inputs,
-            "options": asdict(document.options),
+            "options": {name: getattr(options, name) for name in _NUMBERS},
             "motion": asdict(document.motion),
-            "unit": document.unit,
-            "project": document.project,
+            "unit": options.unit or "",
+            "project": options.project,
             "regions": [asdict(region) for region in document.regions],
             "view": asdict(state.saved),
             "camera": camera,
@@ -114,10 +119,12 @@ def from_text(text: str, folder: Path, name: str) -> Saved:
         one, two = (_scan(given, folder) for given in data["inputs"])
         document = Document(
             paths=(one.places[0] if one else None, two.places[0] if two else None),
-            options=read(Options, data["options"]),
-            motion=_motion(data["motion"]),
-            unit=str(data["unit"]),
-            project=str(data["project"]),
+            options=replace(
+                read(Options, data["options"]),
+                align=_motion(data["motion"]),
+                unit=str(data["unit"]) or None,
+                project=str(data["project"]),
+            ),
             regions=tuple(_region(region) for region in data["regions"]),
         )
         state = read(ViewState, data["view"])

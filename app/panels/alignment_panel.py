@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
 from app.look.numerals import four
 from app.look.texts import QT_TRANSLATE_NOOP
 from app.look.theme import UNIT
-from app.model.document import NOT_MOVED, Motion
 from app.model.tool import Tool
 from app.panels.widgets import NumberBox, NumberTree, Panel, quiet_label, tool_button
+from surfcmp_core.comparing.options import NOT_MOVED, Motion
 
 if TYPE_CHECKING:
     from app.model.landmark import Landmark

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
@@ -54,9 +53,9 @@ class OptionsPanel(Panel):
         self.domain = self._choice(DOMAINS, "domain")
         self.duplicates = self._choice(DUPLICATES, "duplicates")
         self.unit = ChoiceButton({key: self.tr(text) for key, text in UNITS.items()})
-        self.unit.chosen.connect(lambda unit: self._change(unit=unit))
+        self.unit.chosen.connect(lambda unit: self._option(unit=unit or None))
         self.project = ChoiceButton({key: self.tr(text) for key, text in VIEWS.items()})
-        self.project.chosen.connect(lambda view: self._change(project=view))
+        self.project.chosen.connect(lambda view: self._option(project=view))
         self.max_edge = QLineEdit()
         self.max_edge.setPlaceholderText(self.tr("from the spacing of the nodes"))
         self.max_edge.setAccessibleName(self.tr("Longest side over which a cloud has data"))
@@ -89,8 +88,8 @@ class OptionsPanel(Panel):
         options = document.options
         self.domain.show_choice(options.domain)
         self.duplicates.show_choice(options.duplicates)
-        self.unit.show_choice(document.unit)
-        self.project.show_choice(document.project if document.project in VIEWS else "z")
+        self.unit.show_choice(options.unit or "")
+        self.project.show_choice(options.project if options.project in VIEWS else "z")
         if not self.max_edge.isModified():
             limit = options.max_edge
             self.max_edge.setText("" if limit is None else f"{limit:g}")
@@ -105,11 +104,7 @@ class OptionsPanel(Panel):
 
     def _option(self, **changes: object) -> None:
         if self._document is not None:
-            self._change(options=replace(self._document.options, **changes))  # type: ignore[arg-type]
-
-    def _change(self, **changes: object) -> None:
-        if self._document is not None:
-            self.changed.emit(replace(self._document, **changes))  # type: ignore[arg-type]
+            self.changed.emit(self._document.asking(**changes))
 
     def _max_edge_typed(self) -> None:
         self.max_edge.setModified(False)

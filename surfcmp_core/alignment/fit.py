@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Method = Literal["landmarks", "icp", "icp overlap", "icp region"]
-Record = dict[str, Any]
+FitRecord = dict[str, Any]
 """Of an alignment: what stands under "alignment" in the .json result."""
 
 
@@ -68,7 +68,7 @@ class Alignment:
     landmarks: tuple[float, ...] = ()
     doubts: tuple[str, ...] = ()
 
-    def record(self) -> Record:
+    def record(self) -> FitRecord:
         """Return the account as it stands in every result, under the keys of the .json result."""
         return {
             "method": self.method,
@@ -94,8 +94,12 @@ class Alignment:
         }
 
 
-def record_of_motion(method: str, matrix: NDArray[np.float64]) -> Record:
+def record_of_motion(method: str, matrix: NDArray[np.float64]) -> FitRecord:
     """Return the record of a motion of which nothing else is known, under the same keys."""
     bare = Alignment(matrix, "landmarks", 0.0, 0, 0.0, 0, True, 0, 0.0, (0.0, 0.0), 0.0, 0.0, 0.0)
     known = {"method": method, "matrix": matrix.tolist(), "landmarks": [], "free": [], "doubts": []}
     return {**dict.fromkeys(bare.record()), **known}
+
+
+FIT_KEYS = frozenset(record_of_motion("none", np.eye(4))) - {"method", "matrix"}
+"""What a fit says of itself."""

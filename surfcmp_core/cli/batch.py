@@ -11,29 +11,15 @@ import typer
 
 from surfcmp_core.cli.bar import progress_bar
 from surfcmp_core.cli.ends import WrongUsage, ending
-from surfcmp_core.cli.pair import Settings, compare_surfaces, read
-from surfcmp_core.cli.shared_options import (
-    AlignOption,
-    DomainOption,
-    DuplicatesOption,
-    ExactOption,
-    MaxEdgeOption,
-    NoDataOption,
-    ProjectOption,
-    QuietOption,
-    ThreadsOption,
-    ToleranceOption,
-    UnitOption,
-    VerifyOption,
-    WeightOption,
-)
+from surfcmp_core.cli.shared_options import QuietOption, comparing, files_of
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
+from surfcmp_core.comparing.options import Options
 from surfcmp_core.errors import InputError, Violation
 from surfcmp_core.names import one_line
 from surfcmp_core.report import OutputError, check_outputs
 from surfcmp_core.report.meanings import MEANINGS
 from surfcmp_core.report.numbers import with_unit
-from surfcmp_core.report.record import Document, now, program
+from surfcmp_core.report.record import Record, make_record, now, program
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.progress import Progress
 from surfcmp_core.system.whole_files import write_all
@@ -54,48 +40,20 @@ _COLUMNS = ("mean_abs", "p95", "coverage_1", "coverage_2")
 
 
 @ending
+@comparing
 def command(
-    paths: Paths,
-    domain: DomainOption = "data",
-    max_edge: MaxEdgeOption = None,
-    exact: ExactOption = False,
-    tolerance: ToleranceOption = None,
-    weight: WeightOption = None,
-    align: AlignOption = "none",
-    project: ProjectOption = "z",
-    duplicates: DuplicatesOption = "refuse",
-    unit: UnitOption = None,
-    no_data: NoDataOption = None,
-    out: OutOption = None,
-    quiet: QuietOption = False,
-    threads: ThreadsOption = 2,
-    verify: VerifyOption = False,
+    paths: Paths, options: Options, out: OutOption = None, quiet: QuietOption = False
 ) -> None:
     """Compare every file with every later one; a pair that fails does not stop the others."""
-    settings = Settings(
-        domain=domain,
-        max_edge=max_edge,
-        exact=exact,
-        tolerances=tuple(tolerance or (0.5, 1.0, 2.0)),
-        duplicates=duplicates,
-        unit=unit,
-        no_data=tuple(no_data or ()),
-        weight=weight,
-        align=align,
-        project=project,
-        threads=threads,
-        verify=verify,
-    )
-    settings.check()
     results = out or []
     files = _files(paths, leave_out=results)
     try:
-        check_outputs(results, files, (".csv", ".json"))
+        check_outputs(results, [*files, *files_of(options)], (".csv", ".json"))
     except OutputError as fault:
         raise WrongUsage(f"--out {fault}") from None
 
     with progress_bar(quiet) as progress:
-        done = _all_pairs(files, settings, progress)
+        done = _all_pairs(files, options, progress)
     write_all({path: _writer(path, done) for path in results})
     if not quiet:
         _show(done)
@@ -130,8 +88,11 @@ def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
     return files
 
 
-def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> list[Document]:
+def _all_pairs(files: list[Path], options: Options, progress: Progress) -> list[Record]:
     """Compare each file with every later one; what fails is told once and kept as an error."""
+    from surfcmp_core.comparing.request import compare_surfaces
+    from surfcmp_core.io import read_surface
+
     surfaces: dict[Path, Surface] = {}
     faults: dict[Path, str] = {}
     told: set[str] = set()
@@ -142,14 +103,14 @@ def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> lis
             raise InputError(faults[path])
         if path not in surfaces:
             try:
-                surfaces[path] = read(path, settings.unit, settings.no_data)
+                surfaces[path] = read_surface(path, unit=options.unit, no_data=options.no_data)
             except InputError as fault:
                 faults[path] = str(fault)
                 raise
         return surfaces[path]
 
     pairs = list(combinations(files, 2))
-    done: list[Document] = []
+    done: list[Record] = []
     for number, (first, second) in enumerate(pairs):
 
         def within(_stage: str, share: float, number: int = number) -> None:
@@ -160,7 +121,7 @@ def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> lis
             start = time.perf_counter()
             both = surface_of(first), surface_of(second)
             seconds = time.perf_counter() - start
-            done.append(compare_surfaces(both, settings, within, seconds)[1])
+            done.append(make_record(compare_surfaces(*both, options, within, seconds)))
         except (InputError, Violation, MemoryError) as fault:
             error = str(fault) or f"{first} and {second}: not enough memory"
             if error not in told:
@@ -173,7 +134,7 @@ def _all_pairs(files: list[Path], settings: Settings, progress: Progress) -> lis
     return done
 
 
-def _writer(path: Path, done: list[Document]) -> Any:
+def _writer(path: Path, done: list[Record]) -> Any:
     def write_json(stream: BinaryIO) -> None:
         whole = {"schema": 1, "program": program(), "created": now(), "pairs": done}
         text = json.dumps(whole, indent=1, ensure_ascii=False, allow_nan=False)
@@ -207,7 +168,7 @@ def _writer(path: Path, done: list[Document]) -> Any:
     return write_json if path.suffix.lower() == ".json" else write_csv
 
 
-def _show(done: list[Document]) -> None:
+def _show(done: list[Record]) -> None:
     from rich.table import Table
     from rich.text import Text
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import typer
 
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
-from surfcmp_core.errors import SurfcmpError
+from surfcmp_core.errors import OptionError, SurfcmpError
 
 
 class WrongUsage(SurfcmpError):  # noqa: N818 - not a fault of the program
@@ -32,6 +32,9 @@ def ending[**P](command: Callable[P, None]) -> Callable[P, None]:
             raise
         except WrongUsage as fault:
             complain(str(fault))
+            raise typer.Exit(WRONG_USAGE) from None
+        except OptionError as fault:
+            complain(f"--{fault.option.replace('_', '-')}: must be {fault.must}")
             raise typer.Exit(WRONG_USAGE) from None
         except SurfcmpError as fault:
             complain(str(fault))

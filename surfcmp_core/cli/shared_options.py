@@ -1,9 +1,14 @@
-"""The options that `compare` and `batch` share, described once."""
+"""The options of every command that compares, described once."""
 
+import functools
+import inspect
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import typer
+
+from surfcmp_core.comparing.options import NOT_MOVED, Options
 
 DomainOption = Annotated[
     Literal["data", "hull", "plane"],
@@ -86,3 +91,67 @@ VerifyOption = Annotated[
         "--verify", help="Check all that must hold of the result, slowly, also the other way round."
     ),
 ]
+
+
+def _options(
+    *,
+    domain: DomainOption = "data",
+    max_edge: MaxEdgeOption = None,
+    exact: ExactOption = False,
+    tolerance: ToleranceOption = None,
+    weight: WeightOption = None,
+    align: AlignOption = "none",
+    project: ProjectOption = "z",
+    duplicates: DuplicatesOption = "refuse",
+    unit: UnitOption = None,
+    no_data: NoDataOption = None,
+    threads: ThreadsOption = 2,
+    verify: VerifyOption = False,
+) -> Options:
+    known: dict[str, Any] = {"none": NOT_MOVED, "icp": "icp"}
+    return Options(
+        domain=domain,
+        max_edge=max_edge,
+        exact=exact,
+        tolerances=tuple(tolerance or (0.5, 1.0, 2.0)),
+        duplicates=duplicates,
+        unit=unit,
+        no_data=tuple(no_data or ()),
+        weight=weight,
+        align=known.get(align, Path(align)),
+        project=project,
+        threads=threads,
+        verify=verify,
+    )
+
+
+def comparing(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command all options of a comparison; it gets them as its argument `options`.
+
+    Raises
+    ------
+    OptionError
+        When called with one that means nothing.
+    """
+    asked = inspect.signature(_options).parameters
+    own = inspect.signature(command).parameters
+
+    @functools.wraps(command)
+    def asking(**given: Any) -> None:
+        options = _options(**{name: given.pop(name) for name in asked})
+        command(**given, options=options)
+
+    shown = [one for one in own.values() if one.name != "options"]
+    first = [one for one in shown if one.default is inspect.Parameter.empty]
+    rest = [one for one in shown if one not in first]
+    every = [
+        one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in (*first, *asked.values(), *rest)
+    ]
+    asking.__signature__ = inspect.Signature(every)  # type: ignore[attr-defined]
+    return asking
+
+
+def files_of(options: Options) -> list[Path]:
+    """Name the files that options read, so that no result is written over them."""
+    named = (options.weight, options.align)
+    return [one for one in named if isinstance(one, Path)]

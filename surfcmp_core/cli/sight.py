@@ -40,7 +40,7 @@ def data_rows(surface: Surface) -> tuple[Rows, float]:
     """
     if surface.faces is not None:
         return [], 0.0
-    from surfcmp_core.comparing.side import data_of_cloud
+    from surfcmp_core.comparing.cloud_data import data_of_cloud
 
     try:
         data = data_of_cloud(surface)

@@ -12,7 +12,7 @@ from surfcmp_core.report.provenance import (
     left_out_rows,
     view_rows,
 )
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -22,7 +22,7 @@ _WIDTH = 100
 """Columns, where no terminal says how wide it is."""
 
 
-def show(document: Document) -> None:
+def show(document: Record) -> None:
     """Print the measures, counts and warnings of a comparison."""
     from rich.text import Text
 

@@ -7,6 +7,7 @@ import numpy as np
 from surfcmp_core.comparing.comparison import MeshFaces
 from surfcmp_core.compiled.linear_algebra import length
 from surfcmp_core.domain.layers import MIXED
+from surfcmp_core.errors import InputError
 from surfcmp_core.io.facts import folded_share
 from surfcmp_core.io.no_data import suspected
 from surfcmp_core.surface import Surface
@@ -42,19 +43,19 @@ def _layered(share: float) -> list[str]:
 
 def nothing_common(
     first: Surface, second: Surface, limits: tuple[float, float], *, derived: bool
-) -> str:
+) -> InputError:
     """Say that there is nothing to compare, and how far the edges of clouds may reach."""
     told = [
         f"{limit:.4g} {surface.unit or ''}".rstrip() + f" ({surface.name})"
         for surface, limit in zip((first, second), limits, strict=True)
         if limit < np.inf
     ]
-    text = f"{first.name} and {second.name}: no common area to compare"
+    fault = InputError("no common area to compare", where=(first.name, second.name))
     if not told:
-        return text
+        return fault
     how = ", as derived from the spacing of the nodes" if derived else ""
-    return (
-        f"{text}; over edges longer than {' and '.join(told)} a cloud has no data{how}"
+    return fault.with_hints(
+        f"over edges longer than {' and '.join(told)} a cloud has no data{how}"
         " (--max-edge says how long they may be)"
     )
 

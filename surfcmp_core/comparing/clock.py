@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from time import perf_counter
 
-from surfcmp_core.system.progress import Progress
+from surfcmp_core.system.progress import Progress, silent
 
 STAGES = ("read", "triangulate", "spanning_trees", "locate", "interpolate", "interface", "measures")
 """Names of the stages, in the order of the results' `seconds`."""
@@ -14,11 +14,15 @@ STAGES = ("read", "triangulate", "spanning_trees", "locate", "interpolate", "int
 class Clock:
     """Wall time of each stage; stages that run beside each other overlap."""
 
-    def __init__(self, progress: Progress, read_seconds: float) -> None:
+    def __init__(self, progress: Progress = silent, read_seconds: float = 0.0) -> None:
         self._seconds = dict.fromkeys(STAGES, 0.0)
         self._seconds["read"] = read_seconds
         self._progress = progress
         self._begin = perf_counter() - read_seconds
+
+    def tell(self, name: str, share: float) -> None:
+        """Say how far the work is; it may be stopped there."""
+        self._progress(name, share)
 
     @contextmanager
     def stage(self, name: str, share: float | None = None) -> Iterator[None]:

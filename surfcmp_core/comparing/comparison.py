@@ -1,50 +1,19 @@
 """A finished comparison: what it was made of, what it found, how long it took."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from surfcmp_core.alignment import FitRecord, record_of_motion
+from surfcmp_core.comparing.options import Options
 from surfcmp_core.domain import Reason
-from surfcmp_core.grid import Duplicates, Grid
+from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Covered
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
 from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.united import United
-
-Domain = Literal["data", "hull", "plane"]
-Weight = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]]
-"""µ(x, y), sampled at the nodes of T and linear on each of its triangles."""
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """Everything that changes the numbers; lengths in the unit of the comparison."""
-
-    domain: Domain = "data"
-    max_edge: float | None = None
-    """Longest edge over which a cloud has data; None: derived from its spacing; inf: no limit."""
-    exact: bool = False
-    tolerances: tuple[float, ...] = (0.5, 1.0, 2.0)
-    duplicates: Duplicates = "refuse"
-    threads: int = 2
-
-    def __post_init__(self) -> None:
-        """Raise ValueError, one line that names the option, where one means nothing."""
-        for name, kind in (("domain", Domain), ("duplicates", Duplicates)):
-            if getattr(self, name) not in get_args(kind):
-                options = ", ".join(get_args(kind))
-                raise ValueError(f"{name} {getattr(self, name)!r} is none of {options}")
-        if self.max_edge is not None and not self.max_edge > 0.0:
-            raise ValueError(f"max_edge {self.max_edge} is not above zero (inf: no limit)")
-        for tolerance in self.tolerances:
-            if not 0.0 <= tolerance < np.inf:
-                raise ValueError(f"tolerance {tolerance} is not a number, zero or above")
-        if not (isinstance(self.threads, int) and self.threads >= 1):
-            raise ValueError(f"threads {self.threads} is not a whole number above zero")
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +70,10 @@ class Comparison:
     """(M,) the same of d."""
     frame: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
     """(4, 4) the motion of both surfaces into the plane of comparison, z along the view."""
+    alignment: FitRecord = field(default_factory=lambda: record_of_motion("none", np.eye(4)))
+    """How surface 2 was moved onto surface 1, and how well that went."""
+    reversed: tuple[bool, bool] | None = None
+    """Which surfaces are looked at from their backs; None where nobody looked for their sides."""
     seconds: dict[str, float] = field(default_factory=dict)
     """Wall time of read, triangulate, spanning_trees, locate, interpolate, interface, measures,
     total."""

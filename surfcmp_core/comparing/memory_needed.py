@@ -23,5 +23,4 @@ def check_comparison(surface_1: Surface, surface_2: Surface, exact: bool) -> Non
     try:
         need_memory(float(nodes) * each)
     except InputError as fault:
-        files = " and ".join(str(one.path or one.name) for one in (surface_1, surface_2))
-        raise InputError(f"{files}: {fault}") from None
+        raise fault.at(*(str(one.path or one.name) for one in (surface_1, surface_2))) from None

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.cells.gaps import NO_GAPS, gaps_of
-from surfcmp_core.comparing.comparison import Comparison, Domain, MeshFaces
+from surfcmp_core.comparing.comparison import Comparison, MeshFaces
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.domain import (
     Footprint,
     OwnFaces,
@@ -15,9 +16,7 @@ from surfcmp_core.domain import (
     own_faces,
 )
 from surfcmp_core.domain.footprint import DATA, OUTSIDE, states_at, states_of_triangles
-from surfcmp_core.domain.layers import share_among_layers
-from surfcmp_core.domain.spacing import limits_of_edges
-from surfcmp_core.grid import Grid, grid_of, safe_scale
+from surfcmp_core.grid import Grid
 from surfcmp_core.interpolation import interpolate
 from surfcmp_core.localisation import relocate
 from surfcmp_core.measures import (
@@ -26,11 +25,8 @@ from surfcmp_core.measures import (
     area_within,
     disagreement,
     shares_within,
-    triangle_areas,
 )
-from surfcmp_core.spanning_tree import spanning_tree, tree_ends
-from surfcmp_core.surface import Surface
-from surfcmp_core.triangulation import Triangulation, triangulate
+from surfcmp_core.triangulation import Triangulation
 from surfcmp_core.triangulation.half_edges import leaving_edges
 from surfcmp_core.united import United
 
@@ -72,62 +68,6 @@ def footprint_of(
     return footprint_of_cloud(triangulation, tree, max_edge)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class CloudData:
-    """Where a cloud has data, in short.
-
-    Attributes
-    ----------
-    max_edge : float
-        Longest edge over which it may have data, where its nodes lie farthest apart.
-    usual_edge : float
-        The same at half of its nodes or more.
-    area, hull_area : float
-        With data, and of the convex hull, in the plane.
-    among_layers : float
-        Share of its nodes that lie among nodes of another layer.
-    """
-
-    max_edge: float
-    usual_edge: float
-    area: float
-    hull_area: float
-    among_layers: float
-
-
-def data_of_cloud(cloud: Surface) -> CloudData:
-    """Tell how much of its convex hull a cloud has data in, seen along z, where nothing is said.
-
-    Parameters
-    ----------
-    cloud : Surface
-        Of nodes at one place the highest counts.
-
-    Returns
-    -------
-    CloudData
-
-    Raises
-    ------
-    InputError
-        Nodes that cannot be triangulated.
-    """
-    grid = grid_of(cloud, duplicates="max")
-    scale = safe_scale(grid.nodes)
-    t = triangulate(grid.nodes * scale, name=cloud.name)
-    tree = tree_ends(t, spanning_tree(t))
-    usual = float(np.median(limits_of_edges(t, tree)))
-    found = footprint_of_cloud(t, tree, None)
-    hull = float(triangle_areas(t.nodes, t.triangles).sum())
-    return CloudData(
-        found.max_edge / scale,
-        usual / scale,
-        found.area / scale / scale,
-        hull / scale / scale,
-        share_among_layers(t, grid.z * scale),
-    )
-
-
 def triangles_with_data(comparison: Comparison, which: int) -> NDArray[np.bool_]:
     """Tell which triangles of T1 or T2 a surface has data in, as far as its own triangles tell.
 
@@ -163,6 +103,8 @@ class Side:
 
     Attributes
     ----------
+    domain : Domain
+        Of the comparison.
     grid : Grid
     footprint : Footprint
         With the surface's triangulation.
@@ -176,6 +118,7 @@ class Side:
         A mesh's own faces; None of a cloud.
     """
 
+    domain: Domain
     grid: Grid
     footprint: Footprint
     own: NDArray[np.int32]
@@ -184,19 +127,19 @@ class Side:
     found: NDArray[np.int32]
     faces: OwnFaces | None
 
-    def values(self, count: int, domain: Domain) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    def values(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """Give F̂ at all N = `count` nodes of T, NaN without data, and the state there."""
         triangulation = self.footprint.triangulation
         z = np.empty(count)
         z[self.other] = interpolate(
-            triangulation, self.grid.z, self.queries, self.found, continued=domain == "plane"
+            triangulation, self.grid.z, self.queries, self.found, continued=self.domain == "plane"
         )
         z[self.own] = self.grid.z
         state = np.full(count, DATA)
-        if domain == "hull":
+        if self.domain == "hull":
             state[self.other[self.found >= triangulation.real]] = OUTSIDE
             state[self.own] = DATA
-        elif domain == "data":
+        elif self.domain == "data":
             state[self.other] = states_at(self.footprint, self.queries, self.found)
             state[self.own] = self.footprint.at_node
             without = state != DATA
@@ -204,9 +147,7 @@ class Side:
             z[without] = np.nan
         return z, state
 
-    def states(
-        self, united: United, node_states: NDArray[np.uint8], domain: Domain
-    ) -> NDArray[np.uint8]:
+    def states(self, united: United, node_states: NDArray[np.uint8]) -> NDArray[np.uint8]:
         """Give the state of each triangle of T: DATA, OUTSIDE or HOLE."""
         triangulation = self.footprint.triangulation
         hints = np.empty(len(united.nodes), np.int32)
@@ -218,10 +159,10 @@ class Side:
             united.triangles,
             node_states,
             hints,
-            ask_centroids=domain == "data",
+            ask_centroids=self.domain == "data",
         )
 
-    def linear(self, domain: Domain) -> LinearSurface:
+    def linear(self) -> LinearSurface:
         """Give what the exact reading integrates: F on a mesh's own faces, else F̂ on T1.
 
         Under "hull" and "plane" no face says where there is data, nor where F is linear: it is F̂,
@@ -229,7 +170,7 @@ class Side:
         """
         t = self.footprint.triangulation
         planes, valid, found = t.triangles, self.footprint.covered, self.found
-        if domain != "data":
+        if self.domain != "data":
             valid = np.ones(t.real, np.bool_)
         elif self.faces is not None:
             before, t = t, self.faces.triangulation
@@ -240,7 +181,6 @@ class Side:
 
     def covered(
         self,
-        domain: Domain,
         linear: LinearSurface,
         scaled: United,
         areas: NDArray[np.float64],
@@ -253,7 +193,7 @@ class Side:
         result.
         """
         shares = np.ones(len(areas))
-        if domain != "plane":
+        if self.domain != "plane":
             t, without = linear.triangulation, ~linear.valid
             gaps = gaps_of(t.nodes, t.triangles[without]) if without.any() else NO_GAPS
             shares = shares_within(linear, scaled, self.own, self.other, gaps, threads)

@@ -1,7 +1,6 @@
 """From a surface to its grid: distinct nodes in the order of a space-filling curve."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +8,8 @@ from numpy.typing import NDArray
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.curve import curve_keys
-from surfcmp_core.surface import Surface
+from surfcmp_core.surface import Duplicates, Surface
 from surfcmp_core.surface.used import repeated_triangles
-
-Duplicates = Literal["refuse", "mean", "max", "min"]
-"""What to do with nodes of equal (x, y) and different z."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,20 +8,20 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.meanings import REASONS
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 
-def json_bytes(document: Document) -> bytes:
+def json_bytes(document: Record) -> bytes:
     """Write a document as strict JSON, UTF-8, ending in a line feed."""
     return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False).encode() + b"\n"
 
 
-def write_json(_comparison: Comparison, document: Document, stream: BinaryIO) -> None:
+def write_json(_comparison: Comparison, document: Record, stream: BinaryIO) -> None:
     """Write the .json result."""
     stream.write(json_bytes(document))
 
 
-def write_npz(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+def write_npz(comparison: Comparison, _document: Record, stream: BinaryIO) -> None:
     """Write the .npz result: every array of the comparison, unrounded."""
     united = comparison.united
     np.savez(
@@ -54,7 +54,7 @@ def exact_columns(comparison: Comparison) -> dict[str, Any]:
     }
 
 
-def write_csv(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+def write_csv(comparison: Comparison, _document: Record, stream: BinaryIO) -> None:
     """Write the .csv result: a row for each triangle, empty where there is no value.
 
     x, y is the centroid; `compared` is 1 or 0 and `reason` says why it is 0.

@@ -13,7 +13,7 @@ from surfcmp_core.colours.maps import ABOVE, BELOW, NOT_COMPARED, Rgb, differenc
 from surfcmp_core.colours.scale import Scale, band_colours, band_edges, bands_of, scale_of
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.provenance import base_name, key_figures
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,7 +45,7 @@ _STYLE: Any = {
 
 
 def heatmap(
-    comparison: Comparison, document: Document, *, signed: bool = False, titled: bool = True
+    comparison: Comparison, document: Record, *, signed: bool = False, titled: bool = True
 ) -> "Figure":
     """Draw the mean difference of each triangle as a map, to scale.
 
@@ -95,7 +95,7 @@ def map_size(comparison: Comparison, most_width: float, most_height: float) -> t
 def draw_map(
     figure: "Figure",
     comparison: Comparison,
-    document: Document,
+    document: Record,
     place: tuple[float, float, float, float],
     *,
     signed: bool,
@@ -215,7 +215,7 @@ def _shares(colour: Rgb) -> tuple[float, float, float]:
     return red / 255, green / 255, blue / 255
 
 
-def histogram(comparison: Comparison, document: Document) -> "Figure":
+def histogram(comparison: Comparison, document: Record) -> "Figure":
     """Draw how the compared area is spread over |d|, with the tolerances as lines."""
     figure = sheet(7.4, 2.4)
     draw_histogram(figure, comparison, document, (0.7, 0.5, 6.55, 1.8))
@@ -225,7 +225,7 @@ def histogram(comparison: Comparison, document: Document) -> "Figure":
 def draw_histogram(
     figure: "Figure",
     comparison: Comparison,
-    document: Document,
+    document: Record,
     place: tuple[float, float, float, float],
 ) -> None:
     """Draw the histogram at left, bottom, width and height in inches."""
@@ -327,7 +327,7 @@ def _paint(
     )
 
 
-def title(document: Document) -> str:
+def title(document: Record) -> str:
     """Return the names of both files, shortened."""
     first, second = (short_name(one["file"]) for one in document["inputs"])
     return f"{first}  −  {second}"
@@ -341,6 +341,6 @@ def short_name(file: str, limit: int = 40) -> str:
     return name
 
 
-def _summary(document: Document) -> str:
+def _summary(document: Record) -> str:
     rows = key_figures(document)[:3]
     return "   ·   ".join(f"{title}  {value} {unit}" for title, value, unit in rows)

@@ -5,12 +5,12 @@ from typing import Any
 
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.provenance import base_name
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 HIDDEN = "hidden"
 
 
-def without_names(comparison: Comparison, document: Document) -> tuple[Comparison, Document]:
+def without_names(comparison: Comparison, document: Record) -> tuple[Comparison, Record]:
     """Return both with the files' names and paths replaced wherever they stand; hashes stay."""
     one, two = (
         replace(surface, name=f"surface {k}", path=None)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.data_files import exact_columns
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 Columns = dict[str, NDArray[Any]]
 
@@ -41,7 +41,7 @@ def triangle_columns(comparison: Comparison) -> Columns:
     }
 
 
-def write_vtp(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+def write_vtp(comparison: Comparison, _document: Record, stream: BinaryIO) -> None:
     """Write T as VTK poly data, XML with base64 arrays."""
     triangles = comparison.united.triangles
     points = points_in_space(comparison)
@@ -79,7 +79,7 @@ def write_vtp(comparison: Comparison, _document: Document, stream: BinaryIO) -> 
     line("</Polys>\n</Piece>\n</PolyData>\n</VTKFile>")
 
 
-def write_ply(comparison: Comparison, _document: Document, stream: BinaryIO) -> None:
+def write_ply(comparison: Comparison, _document: Record, stream: BinaryIO) -> None:
     """Write T as binary PLY with double coordinates; values stand as further properties."""
     triangles = comparison.united.triangles
     x, y, z = points_in_space(comparison).T

@@ -11,10 +11,10 @@ from surfcmp_core.report.data_files import write_csv, write_json, write_npz
 from surfcmp_core.report.mesh_files import write_ply, write_vtp
 from surfcmp_core.report.page import write_html
 from surfcmp_core.report.pictures import write_pdf, write_png
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 from surfcmp_core.system.whole_files import OutputError, beside, reason, write_all
 
-Writer = Callable[[Comparison, Document, BinaryIO], None]
+Writer = Callable[[Comparison, Record, BinaryIO], None]
 
 WRITERS: dict[str, Writer] = {
     ".json": write_json,
@@ -63,7 +63,7 @@ def check_outputs(
             raise OutputError(f"{name}: {reason(fault)}") from fault
 
 
-def write_outputs(comparison: Comparison, document: Document, paths: Iterable[Path]) -> None:
+def write_outputs(comparison: Comparison, document: Record, paths: Iterable[Path]) -> None:
     """Write a comparison to files; the endings say the formats.
 
     Raises

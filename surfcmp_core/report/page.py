@@ -26,7 +26,7 @@ from surfcmp_core.report.provenance import (
     transform_text,
     versions,
 )
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -36,7 +36,7 @@ Picture = tuple[str, bytes]
 
 
 def write_html(
-    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[Picture] = ()
+    comparison: Comparison, document: Record, stream: BinaryIO, views: Sequence[Picture] = ()
 ) -> None:
     """Write the .html result; it needs no other file and no network.
 
@@ -101,7 +101,7 @@ MAPS = {
 """Name and caption of the map without and with the sign."""
 
 
-def _key(document: Document) -> str:
+def _key(document: Record) -> str:
     boxes = (
         f"<div><dt>{escape(title)}</dt><dd>{value} <small>{escape(unit)}</small></dd></div>"
         for title, value, unit in key_figures(document)
@@ -137,7 +137,7 @@ def _views(views: Sequence[Picture]) -> str:
     return f'<section><h2>The views</h2><div class="pair">{figures}</div></section>'
 
 
-def _regions(document: Document) -> str:
+def _regions(document: Record) -> str:
     table = region_table(document)
     if not table:
         return ""
@@ -155,7 +155,7 @@ def _regions(document: Document) -> str:
     )
 
 
-def _measures(document: Document, unit: str) -> str:
+def _measures(document: Record, unit: str) -> str:
     rows, group = [], ""
     for line in lines(document["measures"], unit):
         if line.group != group:

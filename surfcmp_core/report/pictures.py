@@ -33,7 +33,7 @@ from surfcmp_core.report.provenance import (
     transform_text,
     versions,
 )
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 INSET = 0.35
 """Inches left of a map; its labels may reach into the margin."""
@@ -43,14 +43,14 @@ HISTOGRAM = 1.5
 LEAST_MAP = 2.2
 
 
-def write_png(comparison: Comparison, document: Document, stream: BinaryIO) -> None:
+def write_png(comparison: Comparison, document: Record, stream: BinaryIO) -> None:
     """Write the .png result: the heatmap with its scale, files and main numbers."""
     signed = scale_of(comparison, document).signed
     save(heatmap(comparison, document, signed=signed), stream, "png")
 
 
 def write_pdf(
-    comparison: Comparison, document: Document, stream: BinaryIO, views: Sequence[Picture] = ()
+    comparison: Comparison, document: Record, stream: BinaryIO, views: Sequence[Picture] = ()
 ) -> None:
     """Write the .pdf result: the maps, the measures, and where they come from.
 
@@ -82,7 +82,7 @@ def write_pdf(
                 pdf.savefig(page, dpi=300)
 
 
-def _summary(paper: Paper, document: Document) -> None:
+def _summary(paper: Paper, document: Record) -> None:
     unit = document["options"]["unit"]
     paper.write(0.0, title(document), fontsize=15, fontweight="bold")
     paper.down += 0.28
@@ -101,7 +101,7 @@ def _summary(paper: Paper, document: Document) -> None:
         paper.down += 0.04
 
 
-def _maps(paper: Paper, comparison: Comparison, document: Document) -> None:
+def _maps(paper: Paper, comparison: Comparison, document: Record) -> None:
     """Draw both maps, as large as leaves room for the histogram: side by side, or stacked."""
     kinds = sorted(MAPS, reverse=scale_of(comparison, document).signed)
     paper.need(2 * (LEAST_MAP + 0.8))
@@ -153,7 +153,7 @@ def _views(paper: Paper, views: Sequence[Picture]) -> None:
     paper.down += 0.1
 
 
-def _regions(paper: Paper, document: Document) -> None:
+def _regions(paper: Paper, document: Record) -> None:
     table = region_table(document)
     if not table:
         return
@@ -179,7 +179,7 @@ def _regions(paper: Paper, document: Document) -> None:
     paper.down += 0.18
 
 
-def _measures(paper: Paper, document: Document) -> None:
+def _measures(paper: Paper, document: Record) -> None:
     unit = document["options"]["unit"]
     paper.heading("Measures")
     group = ""
@@ -201,7 +201,7 @@ def _measures(paper: Paper, document: Document) -> None:
         paper.down += 0.2
 
 
-def _histogram(paper: Paper, comparison: Comparison, document: Document) -> None:
+def _histogram(paper: Paper, comparison: Comparison, document: Record) -> None:
     paper.need(HISTOGRAM + 0.75)
     paper.down += 0.25 + HISTOGRAM
     place = LEFT + 0.4, HEIGHT - paper.down, WIDTH - 2 * LEFT - 0.4, HISTOGRAM
@@ -209,7 +209,7 @@ def _histogram(paper: Paper, comparison: Comparison, document: Document) -> None
     paper.down += 0.65
 
 
-def _origin(paper: Paper, document: Document) -> None:
+def _origin(paper: Paper, document: Record) -> None:
     for number, rows in enumerate(input_rows(document), 1):
         paper.heading(f"Surface {number}")
         paper.table(rows)

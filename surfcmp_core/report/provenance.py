@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from surfcmp_core.alignment import Record
+from surfcmp_core.alignment import FitRecord
 from surfcmp_core.report.numbers import thousands, towards, with_unit
-from surfcmp_core.report.record import Document
+from surfcmp_core.report.record import Record
 
 DISCLAIMER = "For research and teaching; not a medical device."
 
@@ -16,7 +16,7 @@ def base_name(file: str) -> str:
     return file.replace("\\", "/").rsplit("/", 1)[-1]
 
 
-def key_figures(document: Document) -> list[tuple[str, str, str]]:
+def key_figures(document: Record) -> list[tuple[str, str, str]]:
     """Return title, figure and unit of the few numbers that are asked for first."""
     measures, unit = document["measures"], document["options"]["unit"]
     rows = [
@@ -32,12 +32,12 @@ def key_figures(document: Document) -> list[tuple[str, str, str]]:
     return [(title, *with_unit(value, power, unit)) for title, value, power in rows]
 
 
-def input_rows(document: Document) -> list[Rows]:
+def input_rows(document: Record) -> list[Rows]:
     """Return what is known of each of the two inputs."""
     return [_input(one) for one in document["inputs"]]
 
 
-def _input(one: Document) -> Rows:
+def _input(one: Record) -> Rows:
     nodes = f"{thousands(one['nodes'])} nodes"
     if one["kind"] == "mesh":
         nodes += f", {thousands(one['triangles'])} triangles"
@@ -47,17 +47,17 @@ def _input(one: Document) -> Rows:
     return [*rows, ("SHA-256", one["sha256"] or "none (not from a file)")]
 
 
-def left_out_rows(document: Document) -> Rows:
+def left_out_rows(document: Record) -> Rows:
     """Return the nodes left out of each input by reason, where there are any."""
     numbered = enumerate(document["inputs"], 1)
     return [(f"left out of {k}", _dropped(one)) for k, one in numbered if one["dropped"]]
 
 
-def _dropped(one: Document) -> str:
+def _dropped(one: Record) -> str:
     return ", ".join(f"{reason}: {thousands(n)}" for reason, n in one["dropped"].items())
 
 
-def view_rows(document: Document) -> Rows:
+def view_rows(document: Record) -> Rows:
     """Return from where both surfaces are looked at, and whose back is seen."""
     options = document["options"]
     if options.get("view") is None:
@@ -70,7 +70,7 @@ def view_rows(document: Document) -> Rows:
     return rows
 
 
-def count_rows(document: Document) -> Rows:
+def count_rows(document: Record) -> Rows:
     """Return nodes, triangles and chains, a row for each kind."""
     n = {key: thousands(value) for key, value in document["counts"].items()}
     return [
@@ -85,7 +85,7 @@ def count_rows(document: Document) -> Rows:
     ]
 
 
-def _face_rows(document: Document) -> Rows:
+def _face_rows(document: Record) -> Rows:
     """Return how many faces of either mesh T1 and T2 have turned, and how far that carries."""
     unit = document["options"]["unit"]
     rows = []
@@ -104,7 +104,7 @@ def _face_rows(document: Document) -> Rows:
     return rows
 
 
-def option_rows(document: Document) -> Rows:
+def option_rows(document: Record) -> Rows:
     """Return every option as it was used."""
     options = dict(document["options"])
     limits = (
@@ -119,7 +119,7 @@ def option_rows(document: Document) -> Rows:
     return [*rows, ("max_edge used", used)]
 
 
-def alignment_rows(document: Document) -> Rows:
+def alignment_rows(document: Record) -> Rows:
     """Return how surface 2 was moved onto surface 1, and how well that went."""
     asked = document["options"].get("align")
     file = asked.get("file") if isinstance(asked, dict) else None
@@ -127,7 +127,7 @@ def alignment_rows(document: Document) -> Rows:
     return [rows[0], *([("file", file)] if file else []), *rows[1:]]
 
 
-def fit_rows(found: Record, unit: str) -> Rows:
+def fit_rows(found: FitRecord, unit: str) -> Rows:
     """Return what the record of an alignment says; of what is not known nothing."""
 
     def length(value: float) -> str:
@@ -170,7 +170,7 @@ REGION_COLUMNS = (
 )
 
 
-def region_table(document: Document) -> list[list[str]]:
+def region_table(document: Record) -> list[list[str]]:
     """Return a row of heads, one for each region, for the rest, and for the whole; or nothing.
 
     Columns: name, µ, and those of `REGION_COLUMNS`, and the share within the last tolerance.
@@ -196,7 +196,7 @@ def region_table(document: Document) -> list[list[str]]:
     return table
 
 
-def transform_text(document: Document) -> str:
+def transform_text(document: Record) -> str:
     """Return the 4x4 transform, or a word where it moves nothing."""
     matrix = document["transform"]
     if matrix == [[float(row == column) for column in range(4)] for row in range(4)]:

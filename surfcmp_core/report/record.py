@@ -4,25 +4,27 @@ import math
 from collections.abc import Mapping
 from dataclasses import asdict, replace
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import surfcmp_core
-from surfcmp_core.alignment import record_of_motion
 from surfcmp_core.comparing.clock import STAGES
 from surfcmp_core.comparing.comparison import Comparison, MeshFaces
+from surfcmp_core.comparing.options import NOT_MOVED, Motion
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
 from surfcmp_core.surface import Surface
 from surfcmp_core.surface.together import ASSUMED
 
-Document = dict[str, Any]
+Record = dict[str, Any]
+"""The .json result."""
 
 
-def program() -> Document:
+def program() -> Record:
     """Name and version of the program, as in every .json document."""
     return {"name": "surfcmp", "version": surfcmp_core.__version__}
 
@@ -37,31 +39,15 @@ def unit_of(comparison: Comparison) -> str:
     return comparison.surfaces[0].unit or ASSUMED
 
 
-def make_document(
-    comparison: Comparison,
-    asked: Mapping[str, Any] | None = None,
-    alignment: Mapping[str, Any] | None = None,
-) -> Document:
+def make_record(comparison: Comparison) -> Record:
     """Describe a comparison as schema 1 of the .json result.
-
-    Parameters
-    ----------
-    comparison
-        The finished comparison.
-    asked
-        Options the comparison itself does not know (weight file, alignment, projection), to
-        stand among the others.
-    alignment
-        Record of how surface 2 was moved onto surface 1; None: it was not.
 
     Returns
     -------
     dict
         Strict JSON: numbers that are not finite have become None.
     """
-    options = comparison.options
-    limit = options.max_edge
-    document: Document = _strict(
+    record: Record = _strict(
         {
             "schema": 1,
             "program": program(),
@@ -72,34 +58,69 @@ def make_document(
                     comparison.surfaces, comparison.grids, comparison.faces, strict=True
                 )
             ],
-            "options": {
-                **asdict(options),
-                "max_edge": limit,
-                "max_edge_derived": limit is None and min(comparison.max_edges) < math.inf,
-                "max_edge_used": list(comparison.max_edges),
-                "unit": unit_of(comparison),
-                **(asked or {}),
-            },
+            "options": _options(comparison),
             "transform": _from_file(comparison).tolist(),
-            "alignment": alignment or record_of_motion("none", np.eye(4)),
+            "alignment": comparison.alignment,
             "counts": comparison.counts,
             "measures": _measures(comparison.measures),
             "seconds": {stage: comparison.seconds.get(stage, 0.0) for stage in (*STAGES, "total")},
             "warnings": list(comparison.warnings),
         }
     )
-    return document
+    return record
 
 
-def region_document(
+def _options(comparison: Comparison) -> Record:
+    options = comparison.options
+    limit, weight = options.max_edge, options.weight
+    told = {
+        "domain": options.domain,
+        "max_edge": limit,
+        "exact": options.exact,
+        "tolerances": options.tolerances,
+        "duplicates": options.duplicates,
+        "threads": options.threads,
+        "max_edge_derived": limit is None and min(comparison.max_edges) < math.inf,
+        "max_edge_used": list(comparison.max_edges),
+        "unit": unit_of(comparison),
+        "weight": str(weight) if isinstance(weight, Path) else weight and "a function",
+        "align": _align(options.align, comparison.alignment),
+        "project": options.project,
+        "no_data": options.no_data,
+    }
+    if comparison.reversed is not None:
+        told["view"] = comparison.frame[2, :3].tolist()
+        told["reversed"] = list(comparison.reversed)
+    return told
+
+
+def _align(align: Motion | Path | str, found: Mapping[str, Any]) -> Any:
+    """Return how surface 2 was moved as it stands among the options."""
+    if align == NOT_MOVED:
+        return "none"
+    if isinstance(align, Path):
+        return {"method": "file", "file": str(align), "matrix": found["matrix"]}
+    if isinstance(align, Motion):
+        return {
+            "method": align.method,
+            "residual": align.residual,
+            "inliers": align.pairs,
+            "matrix": align.matrix,
+        }
+    names = {"residual": "rms_kept", "inliers": "pairs_kept", "iterations": "rounds"}
+    same = {key: found[key] for key in ("method", "matrix", "overlap", "converged")}
+    return same | {name: found[key] for name, key in names.items()}
+
+
+def region_record(
     name: str | None,
     colour: tuple[int, int, int] | None,
     weight: float,
     triangles: int,
     measures: Measures | None,
-) -> Document:
+) -> Record:
     """Describe one region, for the key "regions"; without a name: all that lies in none."""
-    document: Document = _strict(
+    record: Record = _strict(
         {
             "name": name,
             "colour": colour,
@@ -108,7 +129,7 @@ def region_document(
             "measures": None if measures is None else _measures(measures),
         }
     )
-    return document
+    return record
 
 
 def _from_file(comparison: Comparison) -> NDArray[np.float64]:
@@ -117,16 +138,16 @@ def _from_file(comparison: Comparison) -> NDArray[np.float64]:
     return comparison.transform * np.diagonal(told)
 
 
-def _measures(measures: Measures) -> Document:
+def _measures(measures: Measures) -> Record:
     """Every measure by its key; the exact reading's under "exact", where there is one."""
-    document = asdict(replace(measures, exact=None))
-    del document["exact"]
+    record = asdict(replace(measures, exact=None))
+    del record["exact"]
     if measures.exact is not None:
-        document["exact"] = _measures(measures.exact)
-    return document
+        record["exact"] = _measures(measures.exact)
+    return record
 
 
-def _input(surface: Surface, grid: Grid, faces: MeshFaces | None) -> Document:
+def _input(surface: Surface, grid: Grid, faces: MeshFaces | None) -> Record:
     dropped = {**surface.dropped, **({"merged": grid.merged} if grid.merged else {})}
     return {
         "file": str(surface.path or surface.name),

@@ -3,9 +3,13 @@
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+Duplicates = Literal["refuse", "mean", "max", "min"]
+"""What to do with nodes of equal (x, y) and different z."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,7 +10,7 @@ from app.model.view_state import Heatmap, ScaleChoice, ViewState
 from app.scene.content import Content, content_of
 from app.scene.scene import scene_of
 from surfcmp_core.colours.scale import scale_end, scale_of
-from surfcmp_core.report import make_document
+from surfcmp_core.report import make_record
 from surfcmp_core.report.figures import heatmap
 from tests.window.builders import comparison_of, hills
 
@@ -29,7 +29,7 @@ def test_report_and_window_paint_the_same_map(
 ) -> None:
     comparison = content.comparison
     state = ViewState(heatmap=kind, scale=ScaleChoice(limit, (0.5, 1.0, 2.0), banded))
-    shown = Compared(Document(), comparison, make_document(comparison), content, ())
+    shown = Compared(Document(), comparison, make_record(comparison), content, ())
     record = record_of(shown, state)
     assert scale_of(comparison, record) == state.colours
     (painted, *_) = heatmap(comparison, record, signed=kind is Heatmap.SIGNED).axes[0].collections

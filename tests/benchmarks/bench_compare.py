@@ -2,7 +2,7 @@
 
 import math
 
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from tests.benchmarks.by_scipy import mean_abs
 from tests.benchmarks.surfaces import uniform_surface
 from tests.benchmarks.timing import seconds

@@ -7,7 +7,7 @@ import tempfile
 from time import perf_counter
 
 _PROGRAM = """
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from tests.benchmarks.surfaces import uniform_surface
 compare(uniform_surface(500, 1), uniform_surface(500, 2))
 """

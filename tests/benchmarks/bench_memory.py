@@ -5,7 +5,7 @@ import sys
 
 _PROGRAM = """
 import resource, sys
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from tests.benchmarks.surfaces import uniform_surface
 count = int(sys.argv[1])
 small = uniform_surface(500, 1), uniform_surface(500, 2)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core import Comparison, Surface
-from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.measures import Measures
 from tests.pairs import Nodes
 

@@ -8,6 +8,7 @@ import pytest
 
 import surfcmp_core
 from app.__main__ import main
+from surfcmp_core.comparing import request
 from surfcmp_core.surface import Surface
 from tests.core.said import lines
 
@@ -56,7 +57,7 @@ def test_batch_reads_each_file_once_and_can_be_repeated(
 
     taken: list[str] = []
     read_surface = surfcmp_core.read_surface
-    monkeypatch.setattr(batch, "read", counted)
+    monkeypatch.setattr("surfcmp_core.io.read_surface", counted)
     (tmp_path / "three.xyz").write_text("0 0 0\n4 0 0\n4 4 0\n0 4 0\n")
     (tmp_path / "bad.ply").write_text("nothing")
     (tmp_path / "._one.xyz").write_text("what another system leaves")
@@ -83,15 +84,13 @@ def test_a_pair_without_memory_does_not_stop_the_others(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    from surfcmp_core.cli import batch
-
-    def compared(surfaces: tuple[Surface, Surface], *rest: object) -> object:
-        if surfaces[1].name == "two.csv":
+    def compared(first: Surface, second: Surface, *rest: Any) -> object:
+        if second.name == "two.csv":
             raise MemoryError
-        return compare_surfaces(surfaces, *rest)
+        return compare_surfaces(first, second, *rest)
 
-    compare_surfaces: Any = batch.compare_surfaces
-    monkeypatch.setattr(batch, "compare_surfaces", compared)
+    compare_surfaces = request.compare_surfaces
+    monkeypatch.setattr(request, "compare_surfaces", compared)
     third = tmp_path / "three.xyz"
     third.write_text(Path(pair[0]).read_text())
     assert main(["batch", *pair, str(third)]) == 3

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from surfcmp_core import InputError, Surface, compare
-from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.measures import Measures
 from tests.core.small_surfaces import (
     DOMAINS,
@@ -260,15 +260,6 @@ def test_a_motion_moves_the_second_surface() -> None:
     moved = second.points @ motion[:3, :3].T + motion[:3, 3]
     by_hand = compare(first, dataclasses.replace(second, points=moved))
     _close(compare(first, second, align=motion).measures, by_hand.measures)
-    # a frame moves both
-    both = compare(first, second, frame=motion)
-    by_hand = compare(
-        *(
-            dataclasses.replace(s, points=s.points @ motion[:3, :3].T + motion[:3, 3])
-            for s in (first, second)
-        )
-    )
-    _close(both.measures, by_hand.measures)
 
 
 def test_weight_of_one_and_two() -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from triangular import delaunay
 
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from surfcmp_core.surface import Surface
 
 BESIDE_A_BORDER = (529, 1016, 1177, 1851, 2651, 2838, 3166, 3396, 3713, 4185)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import Delaunay
 
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from surfcmp_core.surface import Surface
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from surfcmp_core.io.clouds import CLOUD_WRITERS
-from surfcmp_core.report import WRITERS, make_document
+from surfcmp_core.report import WRITERS, make_record
 from surfcmp_core.surface import Surface
 from surfcmp_core.system import whole_files
 from surfcmp_core.system.whole_files import OutputError, write_all
@@ -78,14 +78,14 @@ def assert_every_write_may_fail(
 @pytest.mark.parametrize("ending", LIGHT)
 def test_no_write_of_a_result_may_spoil_the_old_one(tmp_path: Path, ending: str) -> None:
     comparison = two_squares()
-    write = partial(WRITERS[ending], comparison, make_document(comparison))
+    write = partial(WRITERS[ending], comparison, make_record(comparison))
     assert_every_write_may_fail(tmp_path, write)
 
 
 @pytest.mark.parametrize("ending", [".html", ".pdf", ".png"])
 def test_no_write_of_a_report_may_spoil_the_old_one(tmp_path: Path, ending: str) -> None:
     comparison = two_squares()
-    write = partial(WRITERS[ending], comparison, make_document(comparison))
+    write = partial(WRITERS[ending], comparison, make_record(comparison))
     assert_every_write_may_fail(tmp_path, write, most=3)
 
 

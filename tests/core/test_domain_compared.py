@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from surfcmp_core import Comparison, compare
-from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.domain import (
     Reason,
 )

@@ -10,7 +10,7 @@ from app.__main__ import main
 from app.jobs.comparing import compared
 from app.model.document import Document
 from surfcmp_core import InputError, compare, read_surface
-from surfcmp_core.report import make_document
+from surfcmp_core.report import make_record
 from surfcmp_core.surface.units import SIZES
 from surfcmp_core.system.progress import silent
 from tests.core.reported_files import REPORTS, written
@@ -21,7 +21,7 @@ Told = dict[str, Any] | str
 
 def in_python(first: Path, second: Path, _folder: Path) -> Told:
     try:
-        return make_document(compare(read_surface(first), read_surface(second)))
+        return make_record(compare(read_surface(first), read_surface(second)))
     except InputError as fault:
         return str(fault)
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from surfcmp_core import Comparison, InputError, Surface, compare
-from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.triangulation import triangulate
 from tests.pairs import FAMILIES, Nodes, pair_of

@@ -6,10 +6,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from surfcmp_core.errors import InputError
-from surfcmp_core.grid import Duplicates, Grid, box_of, grid_of, safe_scale
-from surfcmp_core.surface import Surface
+from surfcmp_core.grid import Grid, box_of, grid_of, safe_scale
+from surfcmp_core.surface import Duplicates, Surface
 from tests.pairs import distinct
 
 

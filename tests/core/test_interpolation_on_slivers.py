@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from surfcmp_core import Surface, compare
-from surfcmp_core.comparing.comparison import Domain
+from surfcmp_core.comparing.options import Domain
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.interpolation import interpolate
 from surfcmp_core.localisation import locate_from

@@ -12,13 +12,13 @@ REPORT = """
 import json, sys, zipfile
 from pathlib import Path
 import numpy as np
-from surfcmp_core.report import make_document, write_outputs
+from surfcmp_core.report import make_record, write_outputs
 from tests.core.two_squares import two_squares
 from tests.killing import kill_at_random, seed_of
 
 folder = Path(sys.argv[1])
 comparison = two_squares()
-document = make_document(comparison)
+document = make_record(comparison)
 paths = [folder / f"report{ending}" for ending in (".html", ".npz", ".pdf", ".json")]
 
 def save(number):

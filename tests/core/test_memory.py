@@ -30,8 +30,7 @@ def grid(count: int, z: float) -> Surface:
 @pytest.mark.usefixtures("little")
 def test_a_comparison_is_refused_before_it_is_begun(monkeypatch: pytest.MonkeyPatch) -> None:
     begun = []
-    module = sys.modules["surfcmp_core.comparing.pipeline"]
-    monkeypatch.setattr(module, "grid_of", lambda *_a, **_k: begun.append(1))
+    monkeypatch.setattr("surfcmp_core.comparing.stages.grid_of", lambda *_a, **_k: begun.append(1))
     with pytest.raises(InputError, match=r"grid 0 and grid 1: needs about 0\.007 GB of memory"):
         compare(grid(100, 0), grid(100, 1))
     assert not begun

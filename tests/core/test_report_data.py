@@ -14,7 +14,7 @@ import pytest
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.measures import Measures
 from surfcmp_core.names import one_line
-from surfcmp_core.report import WRITERS, make_document
+from surfcmp_core.report import WRITERS, make_record
 from surfcmp_core.report.data_files import json_bytes
 
 from .two_squares import two_squares
@@ -22,7 +22,7 @@ from .two_squares import two_squares
 
 def written(ending: str, comparison: Comparison) -> bytes:
     stream = BytesIO()
-    WRITERS[ending](comparison, make_document(comparison), stream)
+    WRITERS[ending](comparison, make_record(comparison), stream)
     return stream.getvalue()
 
 
@@ -86,7 +86,7 @@ def test_json_has_the_keys_of_schema_1_in_order() -> None:
 def test_json_tells_what_was_read_and_dropped() -> None:
     comparison = two_squares()
     grids = (replace(comparison.grids[0], merged=3), comparison.grids[1])
-    first, second = make_document(replace(comparison, grids=grids))["inputs"]
+    first, second = make_record(replace(comparison, grids=grids))["inputs"]
     assert first == {
         "file": "a.ply",
         "sha256": "1" * 64,
@@ -112,14 +112,14 @@ def test_json_is_strict_where_numbers_are_not_finite() -> None:
 
 def test_options_are_all_there_as_used() -> None:
     comparison = two_squares()
-    options = make_document(comparison, {"align": "none", "weight": None})["options"]
-    assert set(options) >= {field.name for field in fields(comparison.options)}
+    options = make_record(comparison)["options"]
+    assert set(options) >= {field.name for field in fields(comparison.options)} - {"verify"}
     assert (options["align"], options["weight"]) == ("none", None)
     assert (options["max_edge"], options["max_edge_derived"]) == (None, True)
     meshes = replace(comparison, max_edges=(math.inf, math.inf))
-    assert make_document(meshes)["options"]["max_edge_derived"] is False
+    assert make_record(meshes)["options"]["max_edge_derived"] is False
     limitless = replace(comparison, options=replace(comparison.options, max_edge=math.inf))
-    options = make_document(limitless)["options"]
+    options = make_record(limitless)["options"]
     assert (options["max_edge"], options["max_edge_derived"]) == (None, False)
 
 
@@ -127,7 +127,7 @@ def test_json_takes_names_that_are_not_text() -> None:
     comparison = two_squares()
     odd = replace(comparison.surfaces[0], path=Path("scan\udcff\n\x1b[1m.ply"))
     comparison = replace(comparison, surfaces=(odd, comparison.surfaces[1]))
-    document = json.loads(json_bytes(make_document(comparison)))
+    document = json.loads(json_bytes(make_record(comparison)))
     assert document["inputs"][0]["file"] == "scan��[1m.ply".replace("[", "�[")
     assert one_line("größe.ply") == "größe.ply"
 

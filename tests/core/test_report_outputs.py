@@ -6,7 +6,7 @@ from typing import BinaryIO
 
 import pytest
 
-from surfcmp_core.report import WRITERS, OutputError, check_outputs, make_document, write_outputs
+from surfcmp_core.report import WRITERS, OutputError, check_outputs, make_record, write_outputs
 from surfcmp_core.system.whole_files import write_all
 
 from .two_squares import two_squares
@@ -19,7 +19,7 @@ def new(stream: BinaryIO) -> None:
 def test_every_ending_is_written_at_once(tmp_path: Path) -> None:
     comparison = two_squares()
     paths = [tmp_path / f"result{ending}" for ending in WRITERS]
-    write_outputs(comparison, make_document(comparison), paths)
+    write_outputs(comparison, make_record(comparison), paths)
     assert sorted(tmp_path.iterdir()) == sorted(paths)
     assert all(path.stat().st_size > 100 for path in paths)
 
@@ -28,7 +28,7 @@ def test_endings_may_be_capitals(tmp_path: Path) -> None:
     comparison = two_squares()
     path = tmp_path / "RESULT.JSON"
     check_outputs([path], [])
-    write_outputs(comparison, make_document(comparison), [path])
+    write_outputs(comparison, make_record(comparison), [path])
     assert path.read_bytes().startswith(b"{")
 
 

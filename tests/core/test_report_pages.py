@@ -16,7 +16,8 @@ import pytest
 from surfcmp_core.colours.maps import WITHIN
 from surfcmp_core.colours.scale import Scale, band_colours, bands_of, scale_end, scale_of
 from surfcmp_core.comparing.comparison import Comparison
-from surfcmp_core.report import WRITERS, make_document
+from surfcmp_core.comparing.options import Motion, Options
+from surfcmp_core.report import WRITERS, make_record
 from surfcmp_core.report.figures import short_name
 from surfcmp_core.report.hidden import without_names
 from surfcmp_core.report.meanings import MEANINGS, REASONS
@@ -24,7 +25,7 @@ from surfcmp_core.report.numbers import figure, thousands, with_unit
 from surfcmp_core.report.page import write_html
 from surfcmp_core.report.pictures import write_pdf
 from surfcmp_core.report.provenance import DISCLAIMER, region_table, transform_text
-from surfcmp_core.report.record import region_document
+from surfcmp_core.report.record import region_record
 
 from .two_squares import two_squares
 
@@ -33,7 +34,7 @@ PICTURES = (".html", ".pdf", ".png")
 
 def written(ending: str, comparison: Comparison, document: dict[str, Any] | None = None) -> bytes:
     stream = BytesIO()
-    WRITERS[ending](comparison, document or make_document(comparison), stream)
+    WRITERS[ending](comparison, document or make_record(comparison), stream)
     return stream.getvalue()
 
 
@@ -148,7 +149,7 @@ def test_the_scale_ends_at_a_round_number_over_nearly_all_of_the_area() -> None:
 
 def test_the_scale_is_the_one_asked_for() -> None:
     comparison = two_squares()
-    document = make_document(comparison)
+    document = make_record(comparison)
     assert scale_of(comparison, document) == Scale(1.0)
     document["scale"] = {"end": 0.3, "bands": [0.1, 0.2], "signed": True}
     assert scale_of(comparison, document) == Scale(0.3, (0.1, 0.2), True)
@@ -177,11 +178,11 @@ def test_a_limit_belongs_to_the_band_nearer_zero() -> None:
 
 def with_regions() -> tuple[Comparison, dict[str, Any]]:
     comparison = two_squares()
-    document = make_document(comparison)
+    document = make_record(comparison)
     measures = comparison.measures
     document["regions"] = [
-        region_document("nose & <chin>", (1, 2, 3), 2.5, 3, measures),
-        region_document(None, None, 1.0, 0, None),
+        region_record("nose & <chin>", (1, 2, 3), 2.5, 3, measures),
+        region_record(None, None, 1.0, 0, None),
     ]
     return comparison, document
 
@@ -206,13 +207,13 @@ def test_pictures_of_views_stand_in_the_reports() -> None:
     comparison = two_squares()
     views = [("One & <two>", written(".png", comparison))] * 3
     stream = BytesIO()
-    write_html(comparison, make_document(comparison), stream, views)
+    write_html(comparison, make_record(comparison), stream, views)
     page = Page()
     page.feed(stream.getvalue().decode())
     assert page.tags.count("img") == 3 + 3
     assert "One & <two>" in page.text
     stream = BytesIO()
-    write_pdf(comparison, make_document(comparison), stream, views)
+    write_pdf(comparison, make_record(comparison), stream, views)
     assert b"The views" in text_of(stream.getvalue())
 
 
@@ -235,8 +236,9 @@ def test_names_and_paths_can_be_hidden(ending: str) -> None:
     ]
     warnings = ("units of Anna.ply are not stated", "/patients/Berta.ply: odd")
     comparison = replace(comparison, surfaces=(surfaces[0], surfaces[1]), warnings=warnings)
-    align = {"method": "file", "file": "/patients/Clara.npy", "matrix": []}
-    document = make_document(comparison, {"weight": "/patients/Dora.npz", "align": align})
+    files = Options(weight=Path("/patients/Dora.npz"), align=Path("/patients/Clara.npy"))
+    comparison = replace(comparison, options=files)
+    document = make_record(comparison)
     names = (b"Anna", b"Berta", b"Clara", b"Dora", b"patients")
     if ending in {".html", ".pdf", ".json"}:
         plain = text_of(written(ending, comparison, document))
@@ -295,7 +297,7 @@ def test_a_motion_is_shown_in_full() -> None:
     comparison = two_squares()
     moved = np.eye(4)
     moved[0, 3] = 12.5
-    assert "12.5" in transform_text(make_document(replace(comparison, transform=moved)))
+    assert "12.5" in transform_text(make_record(replace(comparison, transform=moved)))
 
 
 def test_paper_takes_as_many_sheets_as_it_needs() -> None:
@@ -327,9 +329,9 @@ def test_nothing_on_paper_lies_outside_its_margins_or_on_something_else(
     moved = np.eye(4)
     moved[0, 3] = 1 / 3
     united = replace(comparison.united, nodes=comparison.united.nodes * (wide, 1.0))
-    comparison = replace(comparison, measures=exact, transform=moved, united=united)
-    align = {"method": "icp", "residual": 0.25, "inliers": 7, "matrix": [[1.0]]}
-    document = make_document(comparison, {"align": align})
+    motion = Options(align=Motion(method="icp", residual=0.25, pairs=7))
+    comparison = replace(comparison, measures=exact, transform=moved, united=united, options=motion)
+    document = make_record(comparison)
     document["regions"] = with_regions()[1]["regions"]
     document["scale"] = {"end": 0.3, "bands": [0.1, 0.2] if banded else [], "signed": True}
     paper = Paper()

@@ -8,7 +8,7 @@ import pytest
 
 from app.__main__ import main
 from surfcmp_core import compare, read_surface
-from surfcmp_core.report import make_document
+from surfcmp_core.report import make_record
 from tests.core import surface_files as files
 from tests.core.reported_files import REPORTS
 
@@ -21,7 +21,7 @@ def test_axes_of_a_pair_are_made_one() -> None:
         assert result.measures.max_abs == 0
         assert result.surfaces[turned].changed == {"nodes turned from RAS to LPS": 16}
         assert result.surfaces[turned].turned
-    document = make_document(compare(lps, ras))
+    document = make_record(compare(lps, ras))
     assert document["transform"] == np.diag([-1.0, -1.0, 1.0, 1.0]).tolist()
 
 

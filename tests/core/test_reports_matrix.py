@@ -89,11 +89,11 @@ def test_a_matrix_between_unlike_files_counts_as_the_first(tmp_path: Path) -> No
 
 
 def test_the_windows_motion_is_in_the_unit_of_the_files(tmp_path: Path) -> None:
-    from app.model.document import Motion
+    from surfcmp_core.comparing.options import Motion, Options
 
     one, two = (written(tmp_path, name, "cm", h) for name, h in (("a.obj", 0.5), ("b.obj", 0.0)))
     rows = matrix_of(0.0, (0.0, 0.0, 50.0)).tolist()  # 50 cm
     motion = Motion(tuple(tuple(row) for row in rows), "by hand")
     for unit in ("", "cm", "m"):  # what the user says does not move surface 2 anew
-        document = Document((one, two), motion=motion, unit=unit)
+        document = Document((one, two), Options(align=motion, unit=unit or None))
         assert compared(document, None, silent).comparison.measures.max_abs == pytest.approx(0)

@@ -9,13 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from surfcmp_core.alignment import best_fit
-from surfcmp_core.comparing.comparison import Comparison, Domain
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.comparing.options import Domain
+from surfcmp_core.comparing.request import compare
 from surfcmp_core.errors import InputError
-from surfcmp_core.grid import Duplicates
 from surfcmp_core.io import facts_of, read_surface
 from surfcmp_core.projection.placement import look_at, place
-from surfcmp_core.surface import Surface
+from surfcmp_core.surface import Duplicates, Surface
 from surfcmp_core.surface.used import REPEATED, UNUSED, nodes_in_use, used_part
 
 REPORTS = Path(__file__).parent / "fixtures" / "reports"

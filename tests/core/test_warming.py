@@ -23,7 +23,7 @@ print(json.dumps(sorted(
 """
 _COMPARISON = """
 import numpy as np
-from surfcmp_core.comparing.pipeline import compare
+from surfcmp_core.comparing.request import compare
 from surfcmp_core.surface import Surface
 compare(*(Surface(np.random.default_rng(k).random((100, 3)), unit="mm") for k in (1, 2)))
 """

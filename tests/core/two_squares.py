@@ -4,7 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from surfcmp_core.comparing.comparison import Comparison, Options
+from surfcmp_core.comparing.comparison import Comparison
+from surfcmp_core.comparing.options import Options
 from surfcmp_core.domain import Reason
 from surfcmp_core.grid import Grid
 from surfcmp_core.measures.measures import Measures

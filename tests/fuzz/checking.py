@@ -14,13 +14,13 @@ import numpy as np
 
 from surfcmp_core import Comparison, InputError
 from surfcmp_core.cli.main import run
-from surfcmp_core.cli.pair import Settings, compare_files, compare_surfaces
+from surfcmp_core.comparing.options import NOT_MOVED, Options
+from surfcmp_core.comparing.request import compare_files, compare_surfaces
 from surfcmp_core.comparing.verification import check_chains
 from surfcmp_core.grid import safe_scale
 from surfcmp_core.io import read_surface
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface import Surface
-from surfcmp_core.system.progress import silent
 from surfcmp_core.triangulation import triangulate
 from tests.fuzz.trials import Model, Trial
 from tests.fuzz.writing import write
@@ -54,25 +54,25 @@ def check(trial: Trial) -> str:
     with TemporaryDirectory() as name:
         folder = Path(name)
         files = tuple(write(m, folder, f"file_{k}") for k, m in enumerate(trial.models))
-        settings = _settings(trial, folder)
+        options = _options(trial, folder)
         try:
-            found = compare_files((files[0], files[1]), settings, silent)[0]
+            found = compare_files(files[0], files[1], options)
         except InputError as refusal:
             said = str(refusal)
             assert said.isprintable(), said
-            _check_refused(trial, settings, files, said)
+            _check_refused(trial, options, files, said)
             return said
         _check_numbers(found)
         _check_triangulation(found)
-        _check_alike(_from_arrays(trial, settings, files), found)
-        if settings.align == "none" and settings.project == "z" and settings.weight is None:
-            exchanged = compare_files((files[1], files[0]), settings, silent)[0]
+        _check_alike(_from_arrays(trial, options, files), found)
+        if options.align == NOT_MOVED and options.project == "z" and options.weight is None:
+            exchanged = compare_files(files[1], files[0], options)
             _check_exchanged(found.measures, exchanged.measures)
-        _check_command_line(trial, settings, files, found)
+        _check_command_line(trial, options, files, found)
     return ""
 
 
-def _settings(trial: Trial, folder: Path) -> Settings:
+def _options(trial: Trial, folder: Path) -> Options:
     options: dict[str, Any] = {
         "domain": "data",
         "max_edge": None,
@@ -80,7 +80,7 @@ def _settings(trial: Trial, folder: Path) -> Settings:
         "duplicates": "refuse",
         "unit": None,
         "weight": None,
-        "align": "none",
+        "align": NOT_MOVED,
         "project": "z",
         "threads": 1,
         **trial.options,
@@ -94,8 +94,8 @@ def _settings(trial: Trial, folder: Path) -> Settings:
                 path.write_text("".join(row + "\n" for row in rows))
             else:
                 np.save(path, np.array(options[name]))
-            options[name] = path if name == "weight" else str(path)
-    return Settings(**options)
+            options[name] = path
+    return Options(**options)
 
 
 def _surfaces(trial: Trial, files: tuple[Path, ...], unit: str | None) -> list[Surface]:
@@ -131,16 +131,16 @@ def _check_read(read: Surface, model: Model) -> None:
             assert np.array_equal(read.faces, np.array(model.polygons))
 
 
-def _from_arrays(trial: Trial, settings: Settings, files: tuple[Path, ...]) -> Comparison:
-    one, two = _surfaces(trial, files, settings.unit)
-    other = replace(settings, threads=3 - settings.threads)
-    return compare_surfaces((one, two), other, silent, 0.0)[0]
+def _from_arrays(trial: Trial, options: Options, files: tuple[Path, ...]) -> Comparison:
+    one, two = _surfaces(trial, files, options.unit)
+    other = replace(options, threads=3 - options.threads)
+    return compare_surfaces(one, two, other)
 
 
-def _check_refused(trial: Trial, settings: Settings, files: tuple[Path, ...], said: str) -> None:
+def _check_refused(trial: Trial, options: Options, files: tuple[Path, ...], said: str) -> None:
     """Arrays are refused for the same reason."""
     try:
-        _from_arrays(trial, settings, files)
+        _from_arrays(trial, options, files)
     except InputError as refusal:
         other = str(refusal)
     else:
@@ -208,7 +208,7 @@ def _text(values: dict[str, Any]) -> str:
 
 
 def _check_command_line(
-    trial: Trial, settings: Settings, files: tuple[Path, ...], found: Comparison
+    trial: Trial, options: Options, files: tuple[Path, ...], found: Comparison
 ) -> None:
     out = files[0].parent / "out.npz"
     words = ["compare", *map(str, files), "--quiet", "--out", str(out)]
@@ -216,9 +216,9 @@ def _check_command_line(
         words += [f"--{name.replace('_', '-')}", str(trial.options[name])]
     for tolerance in trial.options.get("tolerances", ()):
         words += ["--tolerance", repr(tolerance)]
-    words += ["--exact"] * settings.exact
-    words += ["--weight", str(settings.weight)] if settings.weight else []
-    words += ["--align", settings.align] if settings.align != "none" else []
+    words += ["--exact"] * options.exact
+    words += ["--weight", str(options.weight)] if options.weight else []
+    words += ["--align", str(options.align)] if options.align != NOT_MOVED else []
     said = StringIO()
     with redirect_stderr(said), redirect_stdout(said):
         status = run(words, lambda _: 1)

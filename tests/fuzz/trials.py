@@ -49,7 +49,7 @@ class Trial:
     Attributes
     ----------
     options : dict
-        Fields of `Settings` that are not as by default; "weight" and "align" are the contents of
+        Fields of `Options` that are not as by default; "weight" and "align" are the contents of
         those files.
     """
 

@@ -6,8 +6,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.model.document import NOT_MOVED
 from app.window import MainWindow
+from surfcmp_core.comparing.options import NOT_MOVED
 from tests.window.conftest import PATIENCE
 from tests.window.hands import LEFT, show
 

@@ -7,7 +7,8 @@ import pytest
 
 from app.controllers.aligning import _best_fit, _to_comparison
 from app.jobs.comparing import compared
-from app.model.document import Document, Motion
+from app.model.document import Document
+from surfcmp_core.comparing.options import Motion, Options
 from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.system.progress import silent
 from tests.core.surface_files import ply_header
@@ -32,11 +33,11 @@ def test_a_best_fit_is_told_as_file_1_counts(
     second = (whole - shift) * ([-1, -1, 1] if turned else [1, 1, 1])
     one = written(tmp_path / "a.ply", whole, f"{axes[0]} {comments[0]}")
     two = written(tmp_path / "b.ply", second, f"{axes[1]} {comments[1]}")
-    shown = compared(Document((one, two), unit=unit), None, silent)
+    shown = compared(Document((one, two), Options(unit=unit or None)), None, silent)
     motion = _best_fit(shown, None, silent)
     np.testing.assert_allclose(np.array(motion.matrix)[:3, 3], shift, atol=1e-4)
 
-    moved = compared(Document((one, two), unit=unit, motion=motion), None, silent)
+    moved = compared(Document((one, two), Options(unit=unit or None, align=motion)), None, silent)
     assert moved.comparison.measures.mean_abs < 0.01  # mm
     there = _to_comparison(moved)
     assert there[1][:3, :3] @ whole[0] + there[1][:3, 3] == pytest.approx(
@@ -44,5 +45,5 @@ def test_a_best_fit_is_told_as_file_1_counts(
         abs=0.01,
     )
     again = Motion(motion.matrix, "by hand")
-    named = Document((one, two), unit="cm", motion=again)
+    named = Document((one, two), Options(unit="cm", align=again))
     assert compared(named, None, silent).comparison.measures.mean_abs < 0.01

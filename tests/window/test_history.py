@@ -7,13 +7,13 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.model.document import Document, Motion
+from app.model.document import Document
 from app.model.history import MOST_STEPS, Change, History, Step, change_between
 from app.model.landmark import Landmark
 from app.model.region import Region, Stroke
 from app.model.view_state import Heatmap, Kept, Place, ScaleChoice
 from app.window import MainWindow
-from surfcmp_core.comparing.comparison import Options
+from surfcmp_core.comparing.options import Motion
 from tests.window.conftest import PATIENCE
 from tests.window.hands import drag, drop, show
 
@@ -25,12 +25,16 @@ def of(**changes: object) -> Step:
     return replace(FIRST, document=replace(FIRST.document, **changes))
 
 
+def asking(**options: object) -> Step:
+    return replace(FIRST, document=FIRST.document.asking(**options))
+
+
 def seen(**changes: object) -> Step:
     return replace(FIRST, view=replace(FIRST.view, **changes))
 
 
 def test_undo_and_redo_walk_along_the_steps():
-    one, two, three = (of(unit=unit) for unit in ("mm", "cm", "m"))
+    one, two, three = (asking(unit=unit) for unit in ("mm", "cm", "m"))
     history = History(one)
     assert not history.push(one)
     assert history.push(two)
@@ -56,7 +60,7 @@ def test_quick_changes_of_the_scale_are_one_step():
 
 
 def test_going_back_to_what_is_shown_keeps_what_was_undone():
-    one, two, three = (of(unit=unit) for unit in ("mm", "cm", "m"))
+    one, two, three = (asking(unit=unit) for unit in ("mm", "cm", "m"))
     history = History(one)
     history.push(two)
     history.push(three)
@@ -82,7 +86,7 @@ def test_what_had_nothing_to_compare_is_forgotten():
 def test_the_history_does_not_grow_for_ever():
     history = History(FIRST)
     for k in range(2 * MOST_STEPS):
-        history.push(of(unit=str(k)))
+        history.push(asking(unit=str(k)))
     steps = 0
     while history.undoable:
         history.undo()
@@ -97,9 +101,9 @@ REGION = Region("r", (1, 2, 3))
     ("old", "new", "change"),
     [
         (FIRST, of(paths=PAIR[::-1]), Change.SURFACES),
-        (FIRST, of(motion=Motion(method="by hand")), Change.MOTION),
-        (FIRST, of(options=Options(exact=True)), Change.OPTIONS),
-        (FIRST, of(options=Options(tolerances=(9.0,))), Change.SCALE),
+        (FIRST, asking(align=Motion(method="by hand")), Change.MOTION),
+        (FIRST, asking(exact=True), Change.OPTIONS),
+        (FIRST, asking(tolerances=(9.0,)), Change.SCALE),
         (FIRST, of(regions=(REGION,)), Change.REGIONS),
         (
             of(regions=(REGION,)),

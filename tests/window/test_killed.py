@@ -15,6 +15,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from app.jobs.session_files import open_session, save_session
 from app.model.document import Document
+from surfcmp_core.comparing.options import Options
 from app.model.view_state import ViewState
 from surfcmp_core.system.progress import silent
 from tests.killing import kill_at_random, seed_of
@@ -27,7 +28,7 @@ for number, scan in enumerate(scans):
     np.save(scan, np.random.default_rng(number).random((20_000, 3)))
 
 def save(number):
-    document = Document((scans[0], scans[1]), unit=f"{number}")
+    document = Document((scans[0], scans[1]), Options(unit=f"{number}"))
     save_session(session, document, ViewState(), ("", ""), None, True, silent)
 
 def is_whole():
@@ -37,7 +38,7 @@ def is_whole():
         assert all(path.is_relative_to(unpacked) for path in opened.document.paths)
     for scan, away in zip(scans, moved):
         away.rename(scan)
-    return opened.fault is None and opened.document.unit.isdigit()
+    return opened.fault is None and str(opened.document.options.unit).isdigit()
 
 kill_at_random(folder, save, is_whole, seed_of(sys.argv[2:]))
 """

@@ -10,12 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.jobs.session_files import open_session, save_session
-from app.model.document import FIT_KEYS, Document, Motion
+from app.model.document import Document
 from app.model.landmark import Landmark
 from app.model.region import Region, Stroke
 from app.model.session_text import Eye, from_text, regions_from, regions_text, to_text, write
 from app.model.view_state import Heatmap, Place, ScaleChoice, ViewState
-from surfcmp_core.comparing.comparison import Options
+from surfcmp_core.alignment.fit import FIT_KEYS
+from surfcmp_core.comparing.options import Motion, Options
 from surfcmp_core.errors import Cancelled, InputError
 from surfcmp_core.system.progress import silent
 
@@ -45,9 +46,10 @@ documents = st.builds(
         max_edge=st.none() | positive,
         exact=st.booleans(),
         tolerances=st.tuples(positive, positive),
+        align=st.builds(Motion, method=st.text(), residual=positive, pairs=st.integers(0, 99)),
+        unit=st.sampled_from([None, "mm", "m"]),
+        project=st.sampled_from(["z", "auto", "view:1,2,3"]),
     ),
-    motion=st.builds(Motion, method=st.text(), residual=positive, pairs=st.integers(0, 99)),
-    unit=st.sampled_from(["", "mm", "m"]),
     regions=st.lists(regions, max_size=2).map(tuple),
 )
 states = st.builds(
@@ -231,10 +233,10 @@ def test_a_session_of_the_first_version_is_read(pair: Document, tmp_path: Path):
 
 
 def test_another_file_is_no_longer_moved():
-    moved = Document((Path("/a"), Path("/b")), motion=Motion(method="by hand"))
+    moved = Document((Path("/a"), Path("/b")), Options(align=Motion(method="by hand")))
     assert moved.with_path(1, Path("/c")).motion == Motion()
     assert moved.swapped().paths == (Path("/b"), Path("/a"))
-    assert replace(moved, unit="m").motion == moved.motion
+    assert moved.asking(unit="m").motion == moved.motion
 
 
 FIT = dict.fromkeys(FIT_KEYS, 0.5) | {
@@ -247,7 +249,7 @@ FIT = dict.fromkeys(FIT_KEYS, 0.5) | {
 
 
 def test_what_a_fit_says_of_itself_comes_back(tmp_path: Path) -> None:
-    document = Document(paths=(None, None), motion=Motion(method="best fit", fit=FIT))
+    document = Document(options=Options(align=Motion(method="best fit", fit=FIT)))
     text = to_text(document, ViewState(), ("", ""), tmp_path)
     assert from_text(text, tmp_path, "s").document.motion == document.motion
 
@@ -256,7 +258,7 @@ def test_what_a_fit_says_of_itself_comes_back(tmp_path: Path) -> None:
     "wrong", [{"pairs": "many"}, {"free": [3]}, {"landmarks": [{"name": "1"}]}, {"else": 1.0}]
 )
 def test_an_account_of_a_fit_that_is_none_is_refused(tmp_path: Path, wrong: dict) -> None:
-    document = Document(paths=(None, None), motion=Motion(method="best fit", fit=FIT | wrong))
+    document = Document(options=Options(align=Motion(method="best fit", fit=FIT | wrong)))
     text = to_text(document, ViewState(), ("", ""), tmp_path)
     with pytest.raises(InputError, match="not a session"):
         from_text(text, tmp_path, "s")

@@ -9,41 +9,35 @@ from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
-from surfcmp_core.comparing.comparison import Options
+from surfcmp_core.comparing.options import Options
 from surfcmp_core.errors import Violation
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.whole_files import OutputError, write_all
 
 
 @contextmanager
-def keeping(
-    surfaces: tuple[Surface, Surface], options: Options, *motions: NDArray[np.float64]
-) -> Iterator[None]:
+def keeping(surfaces: tuple[Surface, Surface], options: Options) -> Iterator[None]:
     """Where something within is violated, keep the input and say where.
 
     Parameters
     ----------
     surfaces : two Surface
-        As they were compared.
+        As they were compared: where they lie, seen along z.
     options : Options
-    *motions : (4, 4) float64
-        Of surface 1 and of surface 2 into the plane of comparison.
 
     Raises
     ------
     Violation
         With the name of an .npz in the user's folder of this program's state: `points_1`,
-        `points_2`, `faces_1`, `faces_2` (none of a cloud), `motion_1`, `motion_2` and, as .json,
-        `options`.
+        `points_2`, `faces_1`, `faces_2` (none of a cloud) and, as .json, `options`.
     """
     try:
         yield
     except Violation as fault:
         names = " and ".join(surface.name for surface in surfaces)
         try:
-            kept = f"the input is kept in {_keep(surfaces, options, motions)}"
+            kept = f"the input is kept in {_keep(surfaces, options)}"
         except (OutputError, OSError) as disk:
             kept = f"the input could not be kept: {disk}"
         raise Violation(
@@ -51,18 +45,15 @@ def keeping(
         ) from None
 
 
-def _keep(
-    surfaces: tuple[Surface, Surface], options: Options, motions: tuple[NDArray[np.float64], ...]
-) -> Path:
+def _keep(surfaces: tuple[Surface, Surface], options: Options) -> Path:
     from platformdirs import user_state_path
 
     folder = user_state_path("surfcmp") / "violations"
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{time.strftime('%Y-%m-%d_%H-%M-%S')}_{time.time_ns() % 10**9:09}.npz"
-    arrays = {"options": np.array(json.dumps(asdict(options)))}
-    for number, (surface, motion) in enumerate(zip(surfaces, motions, strict=True), 1):
+    arrays = {"options": np.array(json.dumps(asdict(options), default=str))}
+    for number, surface in enumerate(surfaces, 1):
         arrays[f"points_{number}"] = surface.points
-        arrays[f"motion_{number}"] = motion
         if surface.faces is not None:
             arrays[f"faces_{number}"] = surface.faces
 
