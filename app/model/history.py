@@ -112,7 +112,7 @@ class History:
             and self.undoable is Change.SCALE
             and change_between(self.current, step) is Change.SCALE
         ):
-            self._steps[self._index] = step
+            self._replace(step)
             return True
         self._steps.append(step)
         del self._steps[:-MOST_STEPS]
@@ -121,13 +121,14 @@ class History:
 
     def amend(self, view: Kept) -> None:
         """Replace the view of the current step: it follows from its document."""
-        self._steps[self._index] = replace(self.current, view=view)
+        self._replace(replace(self.current, view=view))
 
     def begin(self) -> None:
         """Forget the steps before the current one that had nothing to compare."""
         kept = [step for step in self._steps[: self._index] if step.document.complete]
         self._steps[: self._index] = kept
         self._index = len(kept)
+        self._replace(self.current)
 
     def drop(self) -> None:
         """Forget the current document, as one that came to nothing, and all after it."""
@@ -149,6 +150,16 @@ class History:
             view = self.current.view
             self.drop()
             self.push(Step(document, view))
+
+    def _replace(self, step: Step) -> None:
+        """Put a step in place of the current one; neighbours that are the same are one step."""
+        before, after = self._steps[: self._index], self._steps[self._index + 1 :]
+        while before and before[-1] == step:
+            before.pop()
+        while after and after[0] == step:
+            after.pop(0)
+        self._steps = [*before, step, *after]
+        self._index = len(before)
 
     def undo(self) -> Step:
         """Step back and return the step now current."""

@@ -59,6 +59,22 @@ def test_quick_changes_of_the_scale_are_one_step():
     assert history.undo() == seen(scale=ScaleChoice(4.0))
 
 
+def test_a_change_that_is_taken_back_by_hand_is_no_step():
+    history = History(FIRST)
+    history.push(seen(scale=ScaleChoice(2.0)))
+    history.push(FIRST, merged=True)
+    assert history.current == FIRST
+    assert history.undoable is None
+    history.push(seen(edges=False))
+    history.undo()
+    history.amend(seen(edges=False).view)  # as it would be again
+    assert history.redoable is None
+    history.push(of(paths=(None, None)))
+    history.push(seen(edges=False))
+    history.begin()
+    assert history.undoable is None
+
+
 def test_going_back_to_what_is_shown_keeps_what_was_undone():
     one, two, three = (asking(unit=unit) for unit in ("mm", "cm", "m"))
     history = History(one)
