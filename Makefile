@@ -4,7 +4,7 @@ python := .venv/bin/python
 # Qt and VTK on a screen in memory
 screen := QT_API=pyside6 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24 -noreset"
 
-.PHONY: help run test test-core test-window lint types bench fuzz samples screenshot \
+.PHONY: help run test test-core test-program test-window lint types bench fuzz samples screenshot \
 	setup-run setup-test setup-dev
 
 help: ## say what there is
@@ -13,11 +13,14 @@ help: ## say what there is
 run: setup-run ## open the window on the built-in pair (no display: picture and numbers in out/)
 	@.make/run
 
-test: ## run all tests, those of the core beside those of the window
-	@$(MAKE) --no-print-directory --keep-going --jobs 2 test-core test-window
+test: ## run all tests on two cores: those of the core beside those of the window, then the program
+	@$(MAKE) --no-print-directory --keep-going --jobs 2 test-core test-window test-program
 
-test-core: setup-test ## run the tests that need no screen
+test-core: setup-test ## run the tests of the core, and of the window's parts that need no screen
 	$(python) -m pytest tests/core tests/app
+
+test-program: setup-test ## run the tests of whole programs, which start processes
+	$(python) -m pytest tests/program
 
 test-window: setup-test ## run the tests of the window
 	$(screen) $(python) -m pytest tests/window

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.__main__ import main
-from tests.core.said import lines
+from tests.program.said import lines
 
 REPORTS = Path(__file__).parent / "fixtures" / "reports"
 

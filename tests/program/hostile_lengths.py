@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.core import surface_files as files
-from tests.core.sound_files import FACES, POINTS, Made
+from tests.program.sound_files import FACES, POINTS, Made
 
 
 def long_files() -> Iterator[tuple[str, str, Made]]:

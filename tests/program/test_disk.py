@@ -19,8 +19,7 @@ from surfcmp_core.report import WRITERS, make_record
 from surfcmp_core.surface import Surface
 from surfcmp_core.system import whole_files
 from surfcmp_core.system.whole_files import OutputError, write_all
-
-from .two_squares import two_squares
+from tests.core.two_squares import two_squares
 
 PROJECT = Path(__file__).parents[2]
 OLD = b"old and whole"

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.core import hostile_reading
+from tests.program import hostile_reading
 
 PARTS = 2
 SECONDS = 2.0

@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from surfcmp_core.io.read import READERS
-from tests.core.hostile_bombs import bombs
-from tests.core.hostile_code import armed_files
-from tests.core.hostile_damage import cut, damaged, lying, odd_corners, odd_values, respelt
-from tests.core.hostile_lengths import long_files
-from tests.core.sound_files import FACES, POINTS, TEXTS, WRITERS, Made
+from tests.program.hostile_bombs import bombs
+from tests.program.hostile_code import armed_files
+from tests.program.hostile_damage import cut, damaged, lying, odd_corners, odd_values, respelt
+from tests.program.hostile_lengths import long_files
+from tests.program.sound_files import FACES, POINTS, TEXTS, WRITERS, Made
 
 ENDINGS = [ending for ending in READERS if ending != ".txt"]
 

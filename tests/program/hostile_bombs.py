@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.core import surface_files as files
-from tests.core.sound_files import FACES, POINTS, Made
+from tests.program.sound_files import FACES, POINTS, Made
 
 GIGABYTE = 1 << 30
 _CHUNK = 1 << 20

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from tests.core import surface_files as files
-from tests.core.hostile_bombs import packed
-from tests.core.sound_files import FACES, POINTS, Made
+from tests.program.hostile_bombs import packed
+from tests.program.sound_files import FACES, POINTS, Made
 
 
 class _Armed:

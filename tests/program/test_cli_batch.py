@@ -10,7 +10,7 @@ import surfcmp_core
 from app.__main__ import main
 from surfcmp_core.comparing import request
 from surfcmp_core.surface import Surface
-from tests.core.said import lines
+from tests.program.said import lines
 
 PROJECT = Path(__file__).parents[2]
 

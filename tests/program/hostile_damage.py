@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from tests.core import surface_files as files
-from tests.core.sound_files import FACES, POINTS, WRITERS, Made
+from tests.program.sound_files import FACES, POINTS, WRITERS, Made
 
 
 def cut(content: bytes) -> Iterator[tuple[str, Made]]:

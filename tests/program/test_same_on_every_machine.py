@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from surfcmp_core.compiled.cache import use_own_cache
-from tests.core.every_machine import COMPARISONS, write_inputs
+from tests.program.every_machine import COMPARISONS, write_inputs
 
 PROJECT = Path(__file__).parents[2]
 FEATURES = np._core._multiarray_umath.__cpu_features__
@@ -45,7 +45,7 @@ def _run(inputs: Path, out: Path, machine: dict[str, str], threads: str) -> None
         kernels = Path(os.environ["NUMBA_CACHE_DIR"])
         environment["NUMBA_CACHE_DIR"] = str(kernels.with_name(f"{kernels.name}-generic"))
     done = subprocess.run(
-        [sys.executable, "-m", "tests.core.every_machine", str(inputs), str(out), threads],
+        [sys.executable, "-m", "tests.program.every_machine", str(inputs), str(out), threads],
         cwd=PROJECT,
         env=environment,
         capture_output=True,

@@ -1,4 +1,4 @@
-"""One comparison of each kind, in a process of its own: ``python -m tests.core.every_machine``."""
+"""One comparison of each kind, in a process: ``python -m tests.program.every_machine``."""
 
 import sys
 from pathlib import Path

@@ -14,7 +14,7 @@ from app import __main__ as program
 from app.__main__ import main
 from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.report import WRITERS
-from tests.core.said import lines
+from tests.program.said import lines
 
 PROJECT = Path(__file__).parents[2]
 

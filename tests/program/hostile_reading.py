@@ -1,7 +1,7 @@
 """Reads hostile files and tells what became of each.
 
-``python -m tests.core.hostile_reading FOLDER PART PARTS``: one line of JSON for each file, ahead of
-it one with its name, so that a file that ends the process is known.
+``python -m tests.program.hostile_reading FOLDER PART PARTS``: one line of JSON for each file,
+ahead of it one with its name, so that a file that ends the process is known.
 """
 
 import contextlib
@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.core.hostile_files import hostile
+from tests.program.hostile_files import hostile
 
 MEMORY = 2 << 30
 """Octets above the start at which the system refuses more."""
