@@ -61,7 +61,7 @@ class Triangulated:
         if self.scale == 1.0:
             return t1, t2
         one, two = self.grids
-        return replace(t1, nodes=one.nodes), replace(t2, nodes=two.nodes)
+        return t1._replace(nodes=one.nodes), t2._replace(nodes=two.nodes)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

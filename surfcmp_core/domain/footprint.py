@@ -204,15 +204,14 @@ def footprint_of_cloud(
 
 @kernel
 def _state_at(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     state: NDArray[np.uint8],
     triangle: int,
     px: float,
     py: float,
 ) -> int:
     """State at a place that was found in a triangle; data reach to the border of its triangles."""
+    nodes, start, twin, _ = triangulation
     if state[triangle] != 0 and start[3 * triangle + 2] >= 0:
         for h in range(3 * triangle, 3 * triangle + 3):
             if state[twin[h] // 3] == 0:
@@ -224,25 +223,20 @@ def _state_at(
 
 @kernel
 def _states(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     state: NDArray[np.uint8],
     queries: NDArray[np.float64],
     found: NDArray[np.int32],
     states: NDArray[np.uint8],
 ) -> None:
     for k in range(found.size):
-        states[k] = _state_at(
-            nodes, start, twin, state, wide(found[k]), queries[k, 0], queries[k, 1]
-        )
+        x, y = queries[k, 0], queries[k, 1]
+        states[k] = _state_at(triangulation, state, wide(found[k]), x, y)
 
 
 @kernel
 def _states_of_triangles(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     state: NDArray[np.uint8],
     corners: NDArray[np.float64],
     triangles: NDArray[np.int32],
@@ -267,8 +261,8 @@ def _states_of_triangles(
             column = int(min(max((x - x0) * per_cell, 0.0), columns - 1.0))
             row = int(min(max((y - y0) * per_cell, 0.0), rows - 1.0))
             if near_gap[row, column]:
-                found = walk_to(nodes, start, twin, hints[a], x, y)
-                states[t] = _state_at(nodes, start, twin, state, found, x, y)
+                found = walk_to(triangulation, hints[a], x, y)
+                states[t] = _state_at(triangulation, state, found, x, y)
 
 
 def states_of_triangles(
@@ -307,9 +301,7 @@ def states_of_triangles(
     if asking:
         gaps = gaps_of(t.nodes, t.triangles[footprint.state[: t.real] != DATA])
     _states_of_triangles(
-        t.nodes,
-        t.start,
-        t.twin,
+        t,
         footprint.state,
         nodes,
         triangles,
@@ -349,7 +341,7 @@ def states_at(
     """
     t = footprint.triangulation
     states = np.empty(len(found), np.uint8)
-    _states(t.nodes, t.start, t.twin, footprint.state, queries, found, states)
+    _states(t, footprint.state, queries, found, states)
     if footprint.faces is not None:
         asked = np.flatnonzero(states != DATA)
         states[asked[covered_by(footprint.faces, queries[asked])]] = DATA

@@ -18,12 +18,9 @@ all that is left of their range, and than so many times the mean way to the neig
 
 @kernel
 def _count_among(
-    nodes: NDArray[np.float64],
-    z: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    leaving: NDArray[np.int32],
+    triangulation: Triangulation, z: NDArray[np.float64], leaving: NDArray[np.int32]
 ) -> int:
+    nodes, start, twin, _ = triangulation
     count = 0
     around = np.empty(_MOST)
     in_order = np.empty(_MOST + 1)
@@ -86,4 +83,4 @@ def share_among_layers(triangulation: Triangulation, z: NDArray[np.float64]) -> 
     t = triangulation
     leaving = leaving_edges(t.start, len(t.nodes))
     with np.errstate(all="ignore"):
-        return int(_count_among(t.nodes, z, t.start, t.twin, leaving)) / len(t.nodes)
+        return int(_count_among(t, z, leaving)) / len(t.nodes)

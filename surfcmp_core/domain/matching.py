@@ -10,14 +10,14 @@ from surfcmp_core.triangulation.half_edges import following, leaving_edges, prec
 
 @kernel
 def _match_faces(
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     leaving: NDArray[np.int32],
     faces: NDArray[np.int32],
     whole: NDArray[np.bool_],
     other: NDArray[np.bool_],
 ) -> None:
     """Mark triangles that are faces of the model, and faces that are no triangles."""
+    _, start, twin, _ = triangulation
     for f in range(faces.shape[0]):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         other[f] = a != b and b != c and c != a
@@ -58,5 +58,5 @@ def match_faces(
     whole = np.zeros(len(t.start) // 3, np.bool_)
     leaving = leaving_edges(t.start, len(t.nodes))
     other = np.empty(len(faces), np.bool_)
-    _match_faces(t.start, t.twin, leaving, faces, whole, other)
+    _match_faces(t, leaving, faces, whole, other)
     return whole[: t.real], other

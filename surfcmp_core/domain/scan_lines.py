@@ -17,14 +17,13 @@ _FARTHEST = 12.0
 
 @kernel
 def _across(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     leaving: NDArray[np.int32],
     nearest: NDArray[np.float64],
     across: NDArray[np.float64],
 ) -> None:
     """Measure the way to the nearest neighbour, and to the nearest at 45° or more to that way."""
+    nodes, start, twin, _ = triangulation
     for v in range(leaving.size):
         begin = leaving[v]
         least = np.inf
@@ -80,7 +79,7 @@ def distance_of_lines(triangulation: Triangulation, spacing: NDArray[np.float64]
     """
     t = triangulation
     nearest, across = np.empty(len(t.nodes)), np.empty(len(t.nodes))
-    _across(t.nodes, t.start, t.twin, leaving_edges(t.start, len(t.nodes)), nearest, across)
+    _across(t, leaving_edges(t.start, len(t.nodes)), nearest, across)
     inner = np.isfinite(across)
     if not inner.any() or np.quantile((across / nearest)[inner], _FEW) < _LINES:
         return 0.0

@@ -16,20 +16,16 @@ def _between(value: float, one: float, other: float) -> float:
 
 @kernel
 def _in_triangle(
-    nodes: NDArray[np.float64],
-    z: NDArray[np.float64],
-    a: int,
-    b: int,
-    c: int,
-    px: float,
-    py: float,
+    source: Triangulation, z: NDArray[np.float64], h: int, px: float, py: float
 ) -> float:
-    """Return the value at p in the triangle abc, its border included.
+    """Return the value at p in the triangle of half-edge h, its first, borders included.
 
     Weights are the areas of p's three triangles. On a triangle so thin that its area is below the
     rounding of its coordinates plain areas would be noise, these are right but for their last bits:
     the value is a mean of the nodes' values, and a plane is met.
     """
+    nodes, start, _, _ = source
+    a, b, c = start[h], start[h + 1], start[h + 2]
     ax, ay, bx, by, cx, cy = (
         nodes[a, 0],
         nodes[a, 1],
@@ -53,15 +49,14 @@ def _in_triangle(
 
 @kernel
 def _on_hull(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    source: Triangulation,
     z: NDArray[np.float64],
     ghost: int,
     px: float,
     py: float,
 ) -> float:
     """Return the value at the place of the hull nearest to p, outside of ghost's edge."""
+    nodes, start, twin, _ = source
     h = 3 * ghost
     came = 0
     while True:
@@ -89,22 +84,21 @@ def _on_hull(
 
 @kernel
 def _interpolate(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    source: Triangulation,
     z: NDArray[np.float64],
     queries: NDArray[np.float64],
     found: NDArray[np.int32],
     continued: bool,
     values: NDArray[np.float64],
 ) -> None:
+    start = source.start
     for k in range(queries.shape[0]):
         h = 3 * found[k]
         px, py = queries[k, 0], queries[k, 1]
         if start[h + 2] >= 0:
-            values[k] = _in_triangle(nodes, z, start[h], start[h + 1], start[h + 2], px, py)
+            values[k] = _in_triangle(source, z, h, px, py)
         elif continued:
-            values[k] = _on_hull(nodes, start, twin, z, found[k], px, py)
+            values[k] = _on_hull(source, z, found[k], px, py)
         else:
             values[k] = np.nan
 
@@ -142,5 +136,5 @@ def interpolate(
     Stage 4 of the paper's section 3.2.
     """
     values = np.empty(len(queries))
-    _interpolate(source.nodes, source.start, source.twin, z, queries, found, continued, values)
+    _interpolate(source, z, queries, found, continued, values)
     return values

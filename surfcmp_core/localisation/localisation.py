@@ -11,9 +11,7 @@ from surfcmp_core.triangulation.half_edges import following
 
 @kernel
 def walk_to(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     triangle: int,
     px: float,
     py: float,
@@ -23,6 +21,7 @@ def walk_to(
     Each step crosses an edge that has p strictly beyond it; in a Delaunay triangulation such a walk
     ends.
     """
+    nodes, start, twin, _ = triangulation
     entry = -1
     h = 3 * triangle
     if start[h + 2] < 0:
@@ -45,9 +44,7 @@ def walk_to(
 
 @kernel
 def _locate_along_tree(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     queries: NDArray[np.float64],
     tree: NDArray[np.int32],
     found: NDArray[np.int32],
@@ -71,28 +68,26 @@ def _locate_along_tree(
     stack[0] = 0
     depth = 1
     found[0] = 0
-    found[0] = walk_to(nodes, start, twin, found[0], queries[0, 0], queries[0, 1])
+    found[0] = walk_to(triangulation, found[0], queries[0, 0], queries[0, 1])
     while depth > 0:
         depth -= 1
         v = stack[depth]
         for k in range(first[v], first[v + 1]):
             w = neighbour[k]
             if found[w] < 0:
-                found[w] = walk_to(nodes, start, twin, found[v], queries[w, 0], queries[w, 1])
+                found[w] = walk_to(triangulation, found[v], queries[w, 0], queries[w, 1])
                 stack[depth] = w
                 depth += 1
 
 
 @kernel
 def _locate_from(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     queries: NDArray[np.float64],
     found: NDArray[np.int32],
 ) -> None:
     for k in range(queries.shape[0]):
-        found[k] = walk_to(nodes, start, twin, found[k], queries[k, 0], queries[k, 1])
+        found[k] = walk_to(triangulation, found[k], queries[k, 0], queries[k, 1])
 
 
 def locate_along_tree(
@@ -123,7 +118,7 @@ def locate_along_tree(
     Stage 3 of the paper's section 3.2.
     """
     found = np.empty(len(queries), np.int32)
-    _locate_along_tree(target.nodes, target.start, target.twin, queries, tree, found)
+    _locate_along_tree(target, queries, tree, found)
     return found
 
 
@@ -145,5 +140,5 @@ def locate_from(
         As in :func:`locate_along_tree`.
     """
     found = np.array(hints, np.int32)
-    _locate_from(target.nodes, target.start, target.twin, queries, found)
+    _locate_from(target, queries, found)
     return found

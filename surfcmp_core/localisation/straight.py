@@ -16,14 +16,13 @@ def _turn(nodes: NDArray[np.float64], a: int, b: int, px: float, py: float) -> f
 
 @kernel
 def _towards(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     begin: int,
     px: float,
     py: float,
 ) -> int:
     """Among the half-edges that leave a node, that of the real triangle which opens towards p."""
+    nodes, start, twin, _ = triangulation
     v = start[begin]
     h = begin
     while True:
@@ -42,17 +41,16 @@ def _towards(
 
 @kernel
 def _walk_straight(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     leaving: NDArray[np.int32],
     v: int,
     px: float,
     py: float,
 ) -> int:
     """Walk from node v straight to p, inside the hull; return a triangle that holds p."""
+    nodes, start, twin, _ = triangulation
     while True:
-        h = _towards(nodes, start, twin, int(leaving[v]), px, py)
+        h = _towards(triangulation, int(leaving[v]), px, py)
         g = following(h)
         while True:
             if _turn(nodes, start[g], start[following(g)], px, py) >= 0.0:
@@ -68,25 +66,22 @@ def _walk_straight(
 
 @kernel
 def _relocate(
-    nodes: NDArray[np.float64],
+    target: Triangulation,
     before: NDArray[np.int32],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    real: int,
     leaving: NDArray[np.int32],
     queries: NDArray[np.float64],
     found: NDArray[np.int32],
 ) -> None:
     for k in range(len(queries)):
-        if found[k] >= real:
+        if found[k] >= target.real:
             continue
         unchanged = True
         for h in range(3 * found[k], 3 * found[k] + 3):
-            unchanged = unchanged and start[h] == before[h]
+            unchanged = unchanged and target.start[h] == before[h]
         if not unchanged:
             x, y = queries[k, 0], queries[k, 1]
             v = before[3 * found[k]]
-            found[k] = _walk_straight(nodes, start, twin, leaving, v, x, y)
+            found[k] = _walk_straight(target, leaving, v, x, y)
 
 
 def relocate(
@@ -116,14 +111,5 @@ def relocate(
     """
     found = found.copy()
     leaving = leaving_edges(target.start, len(target.nodes))
-    _relocate(
-        target.nodes,
-        before.start,
-        target.start,
-        target.twin,
-        target.real,
-        leaving,
-        queries,
-        found,
-    )
+    _relocate(target, before.start, leaving, queries, found)
     return found

@@ -19,15 +19,14 @@ _MOST_EDGES = 3
 
 @kernel
 def _shorter(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     g: int,
     g_square: float,
     h: int,
     h_square: float,
 ) -> bool:
     """Whether the edge of half-edge g comes before that of h: exactly by length, then by number."""
+    nodes, start, twin, _ = triangulation
     if abs(g_square - h_square) > _FILTER * (g_square + h_square):
         return g_square < h_square
     a, b, c, d = start[g], start[following(g)], start[h], start[following(h)]
@@ -46,13 +45,11 @@ def _shorter(
 
 @kernel
 def _mark_longest(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    real: int,
+    triangulation: Triangulation,
     longest: NDArray[np.bool_],
 ) -> None:
     """Mark the half-edge of each triangle whose edge is its longest one."""
+    nodes, start, _, real = triangulation
     for t in range(0, 3 * real, 3):
         a, b, c = start[t], start[t + 1], start[t + 2]
         abx, aby = nodes[b, 0] - nodes[a, 0], nodes[b, 1] - nodes[a, 1]
@@ -73,9 +70,9 @@ def _mark_longest(
             continue
         h = t
         square = first
-        if _shorter(nodes, start, twin, h, square, t + 1, second):
+        if _shorter(triangulation, h, square, t + 1, second):
             h, square = t + 1, second
-        if _shorter(nodes, start, twin, h, square, t + 2, third):
+        if _shorter(triangulation, h, square, t + 2, third):
             h = t + 2
         for k in range(t, t + 3):
             longest[k] = k == h
@@ -83,15 +80,13 @@ def _mark_longest(
 
 @kernel
 def _candidates(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    real: int,
+    triangulation: Triangulation,
     longest: NDArray[np.bool_],
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
 ) -> int:
     """Collect the edges that are not the longest of a triangle, which no tree contains."""
+    nodes, start, twin, real = triangulation
     count = 0
     for h in range(3 * real):  # without a branch, which nothing could foretell
         k = twin[h]
@@ -115,9 +110,7 @@ def _root(parent: NDArray[np.int32], v: int) -> int:
 
 @kernel
 def _keep_shortest(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
     tail: NDArray[np.int32],
@@ -148,7 +141,7 @@ def _keep_shortest(
         else:
             b = shortest[q]
             g, h = wide(edges[k]), wide(edges[b])
-            if _shorter(nodes, start, twin, g, squares[k], h, squares[b]):
+            if _shorter(triangulation, g, squares[k], h, squares[b]):
                 stays[b] = False
                 stays[k] = True
                 shortest[q] = k
@@ -165,9 +158,7 @@ def _keep_shortest(
 
 @kernel
 def _join(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
+    triangulation: Triangulation,
     edges: NDArray[np.int32],
     squares: NDArray[np.float64],
     tree: NDArray[np.int32],
@@ -178,7 +169,8 @@ def _join(
     many parts can have, of several between the same two parts only the shortest stays. So a round
     is linear in its parts, of which each leaves at most half: all of them are linear in the nodes.
     """
-    parts = nodes.shape[0]
+    start = triangulation.start
+    parts = triangulation.nodes.shape[0]
     tail = np.empty(edges.size, np.int32)
     head = np.empty(edges.size, np.int32)
     for k in range(edges.size):
@@ -196,7 +188,7 @@ def _join(
                 shorter = square < before
                 if not abs(square - before) > _FILTER * (square + before):
                     g, h = wide(edges[k]), wide(edges[b])
-                    shorter = _shorter(nodes, start, twin, g, square, h, before)
+                    shorter = _shorter(triangulation, g, square, h, before)
                 best[v] = k if shorter else b
                 nearest[v] = square if shorter else before
         parent = np.arange(parts).astype(np.int32)
@@ -230,7 +222,7 @@ def _join(
         parts = joined
         live = kept
         if live > _MOST_EDGES * parts:  # several between the same two parts
-            live = _keep_shortest(nodes, start, twin, edges, squares, tail, head, live, parts)
+            live = _keep_shortest(triangulation, edges, squares, tail, head, live, parts)
     return found
 
 
@@ -255,14 +247,13 @@ def spanning_tree(triangulation: Triangulation) -> NDArray[np.int32]:
     Borůvka 1926; with clean-up linear for planar graphs (Cheriton and Tarjan 1976, the paper's
     [15]).
     """
-    nodes, start, twin = triangulation.nodes, triangulation.start, triangulation.twin
-    longest = np.zeros(len(start), np.bool_)
-    _mark_longest(nodes, start, twin, triangulation.real, longest)
-    edges = np.empty(len(start) // 2 + 1, np.int32)
+    longest = np.zeros(len(triangulation.start), np.bool_)
+    _mark_longest(triangulation, longest)
+    edges = np.empty(len(longest) // 2 + 1, np.int32)
     squares = np.empty(len(edges))
-    count = _candidates(nodes, start, twin, triangulation.real, longest, edges, squares)
-    tree = np.empty(len(nodes) - 1, np.int32)
-    found = _join(nodes, start, twin, edges[:count], squares[:count], tree)
+    count = _candidates(triangulation, longest, edges, squares)
+    tree = np.empty(len(triangulation.nodes) - 1, np.int32)
+    found = _join(triangulation, edges[:count], squares[:count], tree)
     assert found == len(tree), "a triangulation is connected"
     return tree
 

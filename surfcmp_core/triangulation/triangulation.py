@@ -1,6 +1,6 @@
 """The Delaunay triangulation of one grid."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +12,10 @@ from surfcmp_core.triangulation.lawson import is_triangulation, make_delaunay
 from surfcmp_core.triangulation.outside import WORTH_A_PROCESS, delaunay_outside
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Triangulation:
+class Triangulation(NamedTuple):
     """The Delaunay triangulation of a grid under the perturbed predicate (paper: T1 or T2).
+
+    Kernels take it as it is.
 
     Attributes
     ----------

@@ -1,5 +1,7 @@
 """A triangulation of a mesh's nodes that holds the mesh's own faces."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,11 +16,30 @@ WHOLE = -2
 """A triangle that is a face itself."""
 
 
+class _Held(NamedTuple):
+    """A triangulation whose edges are turned in place.
+
+    Attributes
+    ----------
+    nodes, start, twin
+        See `Triangulation`.
+    leaving : (n,) int32
+        A half-edge that leaves each node.
+    fixed : (3 (m + h),) bool
+        Half-edges that may no longer be turned.
+    """
+
+    nodes: NDArray[np.float64]
+    start: NDArray[np.int32]
+    twin: NDArray[np.int32]
+    leaving: NDArray[np.int32]
+    fixed: NDArray[np.bool_]
+
+
 @kernel
-def edge_between(
-    start: NDArray[np.int32], twin: NDArray[np.int32], leaving: NDArray[np.int32], a: int, b: int
-) -> int:
+def _edge_between(held: _Held, a: int, b: int) -> int:
     """Half-edge from a to b, -1 where there is none."""
+    _, start, twin, leaving, _ = held
     begin = int(leaving[a])
     h = begin
     while True:
@@ -44,14 +65,12 @@ def _same_way(nodes: NDArray[np.float64], v: int, w: int, q: int) -> bool:
 
 @kernel
 def _first_step(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    leaving: NDArray[np.int32],
+    held: _Held,
     v: int,
     q: int,
 ) -> tuple[int, bool]:
     """From v towards q: the edge that runs there, or (False) the edge of v's triangle to cross."""
+    nodes, start, twin, leaving, _ = held
     begin = int(leaving[v])
     h = begin
     while True:
@@ -69,13 +88,11 @@ def _first_step(
 
 @kernel
 def _flip(
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    fixed: NDArray[np.bool_],
-    leaving: NDArray[np.int32],
+    held: _Held,
     h: int,
 ) -> None:
     """Put the other diagonal of its quadrangle in the place of an edge."""
+    _, start, twin, leaving, fixed = held
     k = int(twin[h])
     h_next, h_last, k_next, k_last = following(h), preceding(h), following(k), preceding(k)
     a, b, c, d = start[h], start[k], start[h_last], start[k_last]
@@ -92,10 +109,7 @@ def _flip(
 
 @kernel
 def _crossed(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    fixed: NDArray[np.bool_],
+    held: _Held,
     g: int,
     v: int,
     q: int,
@@ -110,6 +124,7 @@ def _crossed(
     pairs : int32
         Both nodes of each; perhaps with more room.
     """
+    nodes, start, twin, _, fixed = held
     count = 0
     while True:
         if fixed[g]:
@@ -130,17 +145,14 @@ def _crossed(
 
 @kernel
 def _clear(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    fixed: NDArray[np.bool_],
-    leaving: NDArray[np.int32],
+    held: _Held,
     v: int,
     target: int,
     pairs: NDArray[np.int32],
     count: int,
 ) -> bool:
     """Flip edges out of the way from v to the target (Sloan 1993); exact, so it ends."""
+    nodes, start, twin, _, _ = held
     left = count
     at = 0
     patience = 64 + 4 * count * count
@@ -153,11 +165,11 @@ def _clear(
         a, b = int(pairs[2 * i]), int(pairs[2 * i + 1])
         if a < 0:
             continue
-        h = edge_between(start, twin, leaving, a, b)
+        h = _edge_between(held, a, b)
         c, d = int(start[preceding(h)]), int(start[preceding(twin[h])])
         if _turn(nodes, d, b, c) <= 0.0 or _turn(nodes, c, a, d) <= 0.0:
             continue
-        _flip(start, twin, fixed, leaving, h)
+        _flip(held, h)
         over, under = _turn(nodes, v, target, c), _turn(nodes, v, target, d)
         if (over > 0.0 and under < 0.0) or (over < 0.0 and under > 0.0):
             pairs[2 * i], pairs[2 * i + 1] = c, d
@@ -169,28 +181,23 @@ def _clear(
 
 @kernel
 def _insert(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    fixed: NDArray[np.bool_],
-    leaving: NDArray[np.int32],
+    held: _Held,
     p: int,
     q: int,
     pairs: NDArray[np.int32],
 ) -> tuple[bool, NDArray[np.int32]]:
     """Make the segment pq an edge, or several where nodes lie on it, and fix it."""
+    _, start, twin, _, fixed = held
     v = p
     while v != q:
-        h, along = _first_step(nodes, start, twin, leaving, v, q)
+        h, along = _first_step(held, v, q)
         if h < 0:
             return False, pairs
         if not along:
-            target, count, pairs = _crossed(nodes, start, twin, fixed, h, v, q, pairs)
-            if target < 0 or not _clear(
-                nodes, start, twin, fixed, leaving, v, target, pairs, count
-            ):
+            target, count, pairs = _crossed(held, h, v, q, pairs)
+            if target < 0 or not _clear(held, v, target, pairs, count):
                 return False, pairs
-            h = edge_between(start, twin, leaving, v, target)
+            h = _edge_between(held, v, target)
         fixed[h] = fixed[twin[h]] = True
         v = int(start[following(h)])
     return True, pairs
@@ -198,16 +205,13 @@ def _insert(
 
 @kernel
 def _hold(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    leaving: NDArray[np.int32],
+    held: _Held,
     whole: NDArray[np.bool_],
     faces: NDArray[np.int32],
     lost: NDArray[np.bool_],
 ) -> None:
     """Bring the edges of all faces into the triangulation; say whose could not be."""
-    fixed = np.zeros(start.size, np.bool_)
+    _, _, twin, _, fixed = held
     for t in range(len(whole)):
         if whole[t]:
             for h in range(3 * t, 3 * t + 3):
@@ -217,7 +221,7 @@ def _hold(
         lost[f] = False
         for k in range(3):
             p, q = faces[f, k], faces[f, (k + 1) % 3]
-            done, pairs = _insert(nodes, start, twin, fixed, leaving, min(p, q), max(p, q), pairs)
+            done, pairs = _insert(held, min(p, q), max(p, q), pairs)
             if not done:
                 lost[f] = True
 
@@ -233,22 +237,20 @@ def _on_border(nodes: NDArray[np.float64], face: NDArray[np.int32], u: int, w: i
 
 @kernel
 def _fill(
-    nodes: NDArray[np.float64],
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    leaving: NDArray[np.int32],
+    held: _Held,
     faces: NDArray[np.int32],
     lost: NDArray[np.bool_],
     face_of: NDArray[np.int32],
 ) -> int:
     """Mark the triangles of each face; return how many faces lie over another one."""
+    nodes, start, twin, _, _ = held
     overlapping = 0
     stack = np.empty(64, np.int32)
     for f in range(len(faces)):
         if lost[f]:
             continue
         a, b = int(faces[f, 0]), int(faces[f, 1])
-        h, _ = _first_step(nodes, start, twin, leaving, a, b)
+        h, _ = _first_step(held, a, b)
         stack[0] = h // 3
         if face_of[h // 3] != NO_FACE:
             overlapping += 1
@@ -315,10 +317,11 @@ def with_faces(
     """
     t = triangulation
     start, twin = t.start.copy(), t.twin.copy()
-    leaving = leaving_edges(start, len(t.nodes))
+    leaving, fixed = leaving_edges(start, len(t.nodes)), np.zeros(len(start), np.bool_)
+    held = _Held(t.nodes, start, twin, leaving, fixed)
     lost = np.empty(len(faces), np.bool_)
-    _hold(t.nodes, start, twin, leaving, whole, faces, lost)
+    _hold(held, whole, faces, lost)
     face_of = np.full(len(start) // 3, NO_FACE, np.int32)
     face_of[: t.real][whole] = WHOLE
-    overlapping = _fill(t.nodes, start, twin, leaving, faces, lost, face_of)
+    overlapping = _fill(held, faces, lost, face_of)
     return Triangulation(t.nodes, start, twin, t.real), face_of[: t.real], lost, overlapping

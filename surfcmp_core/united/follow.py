@@ -22,14 +22,13 @@ def _is_interface(start: NDArray[np.int32], label: NDArray[np.uint8], h: int) ->
 
 @kernel
 def _follow(
-    start: NDArray[np.int32],
-    twin: NDArray[np.int32],
-    real: int,
+    triangulation: Triangulation,
     label: NDArray[np.uint8],
     order: NDArray[np.int32],
     first: NDArray[np.int32],
     closed: NDArray[np.bool_],
 ) -> int:
+    _, start, twin, real = triangulation
     seen = np.zeros(real, np.bool_)
     end = 3 * real
     chains = 0
@@ -94,5 +93,5 @@ def follow_chains(
     order = np.empty(real, np.int32)
     first = np.empty(real + 1, np.int32)
     closed = np.empty(real, np.bool_)
-    chains = _follow(triangulation.start, triangulation.twin, real, label, order, first, closed)
+    chains = _follow(triangulation, label, order, first, closed)
     return order[: first[chains]], first[: chains + 1], closed[:chains]

@@ -75,7 +75,7 @@ def test_clouds_whose_edges_are_limited_by_the_spacing_around(seed: int) -> None
     assert np.array_equal(footprint.state[: triangulation.real], expected)
     assert footprint.max_edge >= limits.max()
     for power in (-60, 40):
-        scaled = replace(triangulation, nodes=np.ldexp(nodes, power))
+        scaled = triangulation._replace(nodes=np.ldexp(nodes, power))
         again = footprint_of_cloud(scaled, ends, None)
         assert np.array_equal(again.state, footprint.state)
         assert again.max_edge == np.ldexp(footprint.max_edge, power)

@@ -228,7 +228,7 @@ def test_a_longer_tree_shows(result: Comparison) -> None:
 def _broken(triangulation: Triangulation, place: int, value: int) -> Triangulation:
     twin = triangulation.twin.copy()
     twin[place] = value
-    return replace(triangulation, twin=twin)
+    return triangulation._replace(twin=twin)
 
 
 def test_half_edges_that_do_not_fit_show(result: Comparison) -> None:
