@@ -1,9 +1,9 @@
-"""One view in VTK: a mesh and its coarse likeness, lines and nodes over it, light and camera."""
+"""One view: a mesh and its coarse likeness, lines and nodes over it, light and camera."""
 
 import numpy as np
-from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty, vtkRenderer
+import pyvista
 
-from app.drawing.mesh import Mesh, cells_of, new_actor, paint, points_of, unit
+from app.drawing.mesh import Mesh, cells_of, new_actor, paint, points_of
 from app.scene.camera import Camera, Vector
 from app.scene.scene import MeshLayer
 from surfcmp_core.colours.maps import Rgb
@@ -20,40 +20,33 @@ LINE_PIXELS = 3.0
 class DrawnView:
     """One tile."""
 
-    def __init__(self) -> None:
-        self.renderer = vtkRenderer()
+    def __init__(self, renderer: pyvista.Renderer) -> None:
+        self.renderer = renderer
         self._layer: MeshLayer | None = None
-        self._surface = surface = vtkProperty()
-        self._whole, self._coarse = (Mesh(self.renderer, surface) for _ in range(2))
+        self._surface = surface = pyvista.Property(
+            interpolation="gouraud", specular=0.06, specular_power=18
+        )
+        self._whole, self._coarse = (Mesh(renderer, surface) for _ in range(2))
         self._lines, self._line_data = new_actor()
         self._drawn: MeshLayer | None = None
         """Whose lines were sent last."""
         self._sketched = False
         self._dots, self._dot_data = new_actor()
         self._dotted: MeshLayer | None = None
+        self._dots.prop.render_points_as_spheres = True
         for actor in (self._lines, self._dots):
-            self.renderer.AddActor(actor)
-        self._dots.GetProperty().SetLighting(False)
-        self._dots.GetProperty().SetRenderPointsAsSpheres(True)
-        line = self._lines.GetProperty()
-        line.SetLighting(False)
-        for actor in (self._lines, self._dots):
-            mapper = actor.GetMapper()
+            actor.prop.lighting = False
+            mapper = actor.mapper
             mapper.SetResolveCoincidentTopologyToPolygonOffset()
             mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
             mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-4000)
-        surface.SetInterpolationToGouraud()
-        surface.SetSpecular(0.06)
-        surface.SetSpecularPower(18)
-        self.renderer.AutomaticLightCreationOff()
+            renderer.AddActor(actor)
         for place, strength in (((-0.55, 0.75, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.22)):
-            light = vtkLight()
-            light.SetLightTypeToCameraLight()
-            light.SetPosition(*place)
-            light.SetFocalPoint(0, 0, 0)
-            light.SetIntensity(strength)
-            self.renderer.AddLight(light)
-        self.renderer.GetActiveCamera().ParallelProjectionOn()
+            light = pyvista.Light(
+                position=place, focal_point=(0, 0, 0), intensity=strength, light_type="camera light"
+            )
+            renderer.AddLight(light)
+        renderer.camera.parallel_projection = True
 
     def apply(self, layer: MeshLayer | None) -> None:
         """Show a layer, or nothing."""
@@ -64,26 +57,26 @@ class DrawnView:
             self._dot_data.Initialize()
             self._dotted = self._drawn = None
             for actor in (self._lines, self._dots):
-                actor.SetVisibility(False)
+                actor.visibility = False
             return
         patch = layer.patch
         if layer.colours is not None:
             self._whole.show(patch, None, layer.relief, layer.colours)
         if patch.coarse is not None and layer.coarse_colours is not None:
             self._coarse.show(patch, patch.coarse, layer.relief, layer.coarse_colours)
-        self._lines.SetVisibility(len(layer.lines) > 0)
+        self._lines.visibility = len(layer.lines) > 0
         if self._drawn is None or layer.lines_differ_from(self._drawn):
             ends = np.ascontiguousarray(layer.lines.reshape(-1, 3), dtype=np.float32)
-            self._line_data.SetPoints(points_of(ends))
             pairs = np.arange(len(ends), dtype=np.int32).reshape(-1, 2)
-            self._line_data.SetLines(cells_of(pairs))
+            self._line_data.SetPoints(points_of(ends))
+            self._line_data.lines = cells_of(pairs)
             paint(self._lines, self._line_data, layer.line_colours)
         self._drawn = layer
         kinds = (layer.colours, layer.coarse_colours)
         plain = any(isinstance(kind, tuple) for kind in kinds) or patch.data is not None
-        self._surface.SetAmbient(0.28 if plain else 0.58)  # flat light where a colour is to be read
-        self._surface.SetDiffuse(0.84 if plain else 0.5)
-        self._surface.SetLighting(layer.shaded)
+        self._surface.ambient = 0.28 if plain else 0.58  # flat light where a colour is to be read
+        self._surface.diffuse = 0.84 if plain else 0.5
+        self._surface.lighting = layer.shaded
 
     def choose(self, fine: bool) -> None:
         """Draw the whole patch, or its coarse likeness where there is one."""
@@ -94,32 +87,32 @@ class DrawnView:
 
     def colour(self, background: Rgb, edge: Rgb) -> None:
         """Set the colours that carry no quantity."""
-        self.renderer.SetBackground(*unit(background))
-        self._surface.SetEdgeColor(*unit(edge))
+        self.renderer.background_color = background
+        self._surface.edge_color = edge
 
     def thicken(self, density: float) -> None:
         """Draw lines for `density` pixels on each one of the screen."""
-        self._lines.GetProperty().SetLineWidth(LINE_PIXELS * density)
-        self._dots.GetProperty().SetPointSize(NODE_SIZE * density)
+        self._lines.prop.line_width = LINE_PIXELS * density
+        self._dots.prop.point_size = NODE_SIZE * density
 
     def look(self, camera: Camera, pixels: float, fine: bool) -> None:
         """Look through `camera`, whose height takes so many pixels of the screen."""
-        eye = self.renderer.GetActiveCamera()
+        eye = self.renderer.camera
         focus, back = np.array(camera.focus), np.array(camera.back)
         near, far = self._depths(focus, back)
-        eye.SetFocalPoint(*focus)
-        eye.SetPosition(*(focus + back * (far + camera.height)))
-        eye.SetViewUp(*camera.up)
-        eye.SetParallelScale(camera.height / 2)
-        eye.SetClippingRange(camera.height, camera.height + far - near)
+        eye.focal_point = tuple(focus)
+        eye.position = tuple(focus + back * (far + camera.height))
+        eye.up = camera.up
+        eye.parallel_scale = camera.height / 2
+        eye.clipping_range = camera.height, camera.height + far - near
         layer = self._layer
         surface, size = self._surface, 0.0
         if fine and layer is not None and layer.edges:
             size = layer.patch.edge * pixels / camera.height
         low, high = EDGE_PIXELS
         strength = float(np.clip((size - low) / (high - low), 0, 1))
-        surface.SetEdgeVisibility(strength > 0)
-        surface.SetEdgeOpacity(EDGE_OPACITY * strength)
+        surface.show_edges = strength > 0
+        surface.edge_opacity = EDGE_OPACITY * strength
         self._dot(layer if size > NODE_PIXELS else None)
 
     def _depths(self, focus: Vector, back: Vector) -> tuple[float, float]:
@@ -138,11 +131,11 @@ class DrawnView:
 
     def _dot(self, layer: MeshLayer | None) -> None:
         """Show a layer's nodes, or none; they are sent when they are first seen."""
-        self._dots.SetVisibility(layer is not None)
+        self._dots.visibility = layer is not None
         if layer is None or layer.nodes is None or layer is self._dotted:
             return
         self._dotted = layer
-        self._dot_data.SetPoints(self._whole.points)
+        self._dot_data.SetPoints(points_of(self._whole.points))
         numbers = np.arange(len(layer.patch.points), dtype=np.int32)
-        self._dot_data.SetVerts(cells_of(numbers.reshape(-1, 1)))
+        self._dot_data.verts = cells_of(numbers.reshape(-1, 1))
         paint(self._dots, self._dot_data, layer.nodes)

@@ -1,13 +1,10 @@
-"""One mesh in VTK; only what differs from what it showed last is sent."""
+"""One mesh on the screen; only what differs from what it showed last is sent."""
 
 from typing import Any
 
 import numpy as np
+import pyvista
 from numpy.typing import NDArray
-from vtkmodules.util import numpy_support
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkRenderer
 
 from app.scene.coarse import Coarse
 from app.scene.geometry import Patch
@@ -24,10 +21,11 @@ class Mesh:
     Large ones are drawn in parts, so that drawing can be given up between them.
     """
 
-    def __init__(self, renderer: vtkRenderer, surface: vtkProperty) -> None:
+    def __init__(self, renderer: pyvista.Renderer, surface: pyvista.Property) -> None:
         self._renderer, self._surface = renderer, surface
-        self._parts: list[tuple[vtkActor, vtkPolyData]] = []
-        self.points = vtkPoints()
+        self._parts: list[tuple[pyvista.Actor, pyvista.PolyData]] = []
+        self.points = np.zeros((0, 3), np.float32)
+        """Where its nodes are drawn."""
         self.box = np.zeros((2, 3))
         """Lowest and highest coordinates of its nodes, as they are drawn."""
         self._patch: Patch | None = None
@@ -44,8 +42,8 @@ class Mesh:
             self.clear()
             for begin in range(0, len(triangles), PART):
                 actor, data = new_actor()
-                actor.SetProperty(self._surface)
-                data.SetPolys(cells_of(triangles[begin : begin + PART]))
+                actor.prop = self._surface
+                data.faces = cells_of(triangles[begin : begin + PART])
                 self._renderer.AddActor(actor)
                 self._parts.append((actor, data))
         if fresh or relief != self._relief:
@@ -55,9 +53,10 @@ class Mesh:
             if not relief:
                 points = points * FLAT
             self.box = np.stack([points.min(axis=0), points.max(axis=0)]).astype(np.float64)
-            self.points, upright = points_of(points), to_vtk(normals)
+            self.points = points
+            shared, upright = points_of(points), pyvista.convert_array(normals)
             for _, data in self._parts:  # which share both
-                data.SetPoints(self.points)
+                data.SetPoints(shared)
                 data.GetPointData().SetNormals(upright)
                 data.Modified()
         if fresh or colours is not self._colours:
@@ -66,17 +65,17 @@ class Mesh:
 
     def _paint(self, colours: Colours | Rgb) -> None:
         if isinstance(colours, tuple):
-            self._surface.SetColor(*unit(colours))
+            self._surface.color = colours
         for k, (actor, data) in enumerate(self._parts):
             if isinstance(colours, tuple):
-                actor.GetMapper().ScalarVisibilityOff()
+                actor.mapper.scalar_visibility = False
             else:
                 paint(actor, data, colours[k * PART : (k + 1) * PART])
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide it."""
         for actor, _ in self._parts:
-            actor.SetVisibility(visible)
+            actor.visibility = visible
 
     def clear(self) -> None:
         """Show nothing, and let go of what was shown."""
@@ -87,43 +86,28 @@ class Mesh:
         self._patch = self._relief = self._colours = None
 
 
-def new_actor() -> tuple[vtkActor, vtkPolyData]:
+def new_actor() -> tuple[pyvista.Actor, pyvista.PolyData]:
     """Return an actor and the data it draws."""
-    data = vtkPolyData()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    data = pyvista.PolyData()
+    actor = pyvista.Actor(pyvista.DataSetMapper(data))
     return actor, data
 
 
-def to_vtk(array: NDArray[Any]) -> Any:
-    """Return the array as VTK's, sharing its memory."""
-    return numpy_support.numpy_to_vtk(array)  # type: ignore[no-untyped-call]
-
-
-def paint(actor: vtkActor, data: vtkPolyData, colours: Colours) -> None:
+def paint(actor: pyvista.Actor, data: pyvista.PolyData, colours: Colours) -> None:
     """Give each cell its colour, (m, 3)."""
-    data.GetCellData().SetScalars(to_vtk(np.ascontiguousarray(colours)))
-    actor.GetMapper().SetScalarModeToUseCellData()
-    actor.GetMapper().ScalarVisibilityOn()
+    data.GetCellData().SetScalars(pyvista.convert_array(np.ascontiguousarray(colours)))
+    actor.mapper.scalar_map_mode = "cell"
+    actor.mapper.scalar_visibility = True
     data.Modified()
 
 
-def points_of(points: NDArray[np.float32]) -> vtkPoints:
-    """Return (n, 3) points, sharing their memory."""
-    holder = vtkPoints()
-    holder.SetData(to_vtk(np.ascontiguousarray(points)))
-    return holder
-
-
-def cells_of(nodes: NDArray[np.int32]) -> vtkCellArray:
+def cells_of(nodes: NDArray[np.int32]) -> pyvista.CellArray:
     """Return cells of equal size, sharing the memory of (m, k) `nodes`."""
-    cells = vtkCellArray()
-    cells.SetData(nodes.shape[1], to_vtk(nodes.reshape(-1)))
-    return cells
+    numbers: Any = nodes  # which pyvista's types would have as int
+    return pyvista.CellArray.from_regular_cells(numbers)
 
 
-def unit(colour: Rgb) -> tuple[float, float, float]:
-    """Return a colour as shares of full light."""
-    return (colour[0] / 255, colour[1] / 255, colour[2] / 255)
+def points_of(points: NDArray[np.float32]) -> Any:
+    """Return (n, 3) points as VTK's, sharing their memory."""
+    places: Any = points  # which pyvista's types would have as float
+    return pyvista.vtk_points(places, deep=False)

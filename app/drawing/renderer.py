@@ -1,4 +1,4 @@
-"""Draws layers into images with VTK, off the screen. All calls come from one thread."""
+"""Draws layers into images with pyvista, off the screen. All calls come from one thread."""
 
 import os
 import sys
@@ -16,10 +16,8 @@ from surfcmp_core.colours.maps import Colours, Rgb
 if sys.platform == "linux":  # needs no X server and starts three times faster than GLX
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
 
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - makes the classes below draw
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand, vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
+import pyvista
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 from app.drawing.drawn_view import DrawnView
 
@@ -39,15 +37,17 @@ class Renderer:
     """An off-screen window whose tiles are the views."""
 
     def __init__(self, views: int) -> None:
-        self._window = vtkRenderWindow()
-        self._window.AddObserver(vtkCommand.AbortCheckEvent, self._check)
-        self._give_up: Callable[[], bool] | None = None
-        self._window.SetOffScreenRendering(True)
+        self._plotter = pyvista.Plotter(
+            off_screen=True, shape=(1, views), border=False, lighting="none"
+        )
+        window = self._plotter.render_window
+        assert window is not None
+        self._window = window
         self._window.SetMultiSamples(0)
-        self._pixels = vtkUnsignedCharArray()
-        self._views = [DrawnView() for _ in range(views)]
-        for view in self._views:
-            self._window.AddRenderer(view.renderer)
+        self._window.AddObserver("AbortCheckEvent", self._check)
+        self._give_up: Callable[[], bool] | None = None
+        self._pixels = vtkUnsignedCharArray()  # memory that numpy owns would be freed too early
+        self._views = [DrawnView(renderer) for renderer in self._plotter.renderers]
 
     def warm_up(self) -> None:
         """Draw next to nothing once, so that the first true picture finds its shaders ready."""
@@ -105,8 +105,11 @@ class Renderer:
             x, y = (k % columns) * wide, (k // columns) * tall
             view = self._views[tile.view]
             view.renderer.DrawOn()
-            view.renderer.SetViewport(
-                x / width, y / height, (x + tile.width) / width, (y + tile.height) / height
+            view.renderer.viewport = (
+                x / width,
+                y / height,
+                (x + tile.width) / width,
+                (y + tile.height) / height,
             )
             view.choose(fine)
             view.look(camera, tile.height / density, fine)
@@ -118,7 +121,7 @@ class Renderer:
             return {}
         box = (0, 0, width - 1, height - 1)
         self._window.GetRGBACharPixelData(*box, 0, self._pixels, 0)
-        whole = np.asarray(vtk_to_numpy(self._pixels))  # type: ignore[no-untyped-call]
+        whole = np.asarray(pyvista.convert_array(self._pixels))
         whole = whole.reshape(height, width, 4)
         return {
             view: np.ascontiguousarray(whole[y : y + tile.height, x : x + tile.width][::-1])
@@ -127,4 +130,4 @@ class Renderer:
 
     def close(self) -> None:
         """Give the graphics memory back; nothing may be drawn afterwards."""
-        self._window.Finalize()
+        self._plotter.close()

@@ -1,6 +1,1 @@
-"""The four views: the only importer of VTK, and the widgets that show its pictures.
-
-VTK never owns a widget here. One off-screen window draws all views as tiles, on a thread of its
-own, and the tiles arrive as images. So the window never waits for a picture, nothing depends on
-how Qt and OpenGL share a screen, and what is on the screen can be grabbed, printed and tested.
-"""
+"""The four views on the screen: widgets that show pictures and take what the mouse does."""
