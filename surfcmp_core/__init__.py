@@ -9,20 +9,32 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
-    from surfcmp_core.comparing.request import compare
+    from surfcmp_core.comparing.options import Options
+    from surfcmp_core.comparing.request import compare, compare_files
     from surfcmp_core.errors import InputError
     from surfcmp_core.io import read_surface
     from surfcmp_core.surface import Surface
 
     __version__: str
 
-__all__ = ["Comparison", "InputError", "Surface", "__version__", "compare", "read_surface"]
+__all__ = [
+    "Comparison",
+    "InputError",
+    "Options",
+    "Surface",
+    "__version__",
+    "compare",
+    "compare_files",
+    "read_surface",
+]
 
 _HOMES = {
     "Comparison": "surfcmp_core.comparing.comparison",
     "InputError": "surfcmp_core.errors",
+    "Options": "surfcmp_core.comparing.options",
     "Surface": "surfcmp_core.surface",
     "compare": "surfcmp_core.comparing.request",
+    "compare_files": "surfcmp_core.comparing.request",
     "read_surface": "surfcmp_core.io",
 }
 
