@@ -8,7 +8,9 @@ from pathlib import Path
 
 _KEPT = 30 * 24 * 3600.0
 """Seconds for which kernels of other sources are kept."""
-WITHOUT_KERNELS = frozenset({"alignment", "cli", "colours", "io", "report", "system"})
+WITHOUT_KERNELS = frozenset(
+    {"__init__.py", "alignment", "cli", "colours", "comparing", "io", "report", "system"}
+)
 """Parts of the core that hold no kernel, nor anything that one is compiled from."""
 
 
