@@ -79,7 +79,7 @@ class Aligning(QObject):
             return
         from surfcmp_core.compiled.linear_algebra import applied, inverse
 
-        to_file = inverse(_to_comparison(shown)[surface - 1])
+        to_file = inverse(to_comparison(shown)[surface - 1])
         place = applied(to_file, point[None])[0]
         found: Point = (float(place[0]), float(place[1]), float(place[2]))
         last = self.pairs[-1] if self.pairs and not self.pairs[-1].complete else None
@@ -97,7 +97,7 @@ class Aligning(QObject):
         if shown is not None:
             from surfcmp_core.compiled.linear_algebra import applied
 
-            motions = _to_comparison(shown)
+            motions = to_comparison(shown)
             for k, pair in enumerate(self.pairs, 1):
                 for view, point in enumerate((pair.one, pair.two)):
                     if point is not None:
@@ -137,7 +137,7 @@ class Aligning(QObject):
         number = selected if on_region else None
 
         def work(progress: Progress) -> Motion:
-            return _best_fit(shown, number, progress)
+            return best_fit_of(shown, number, progress)
 
         self.runner.start(work)
 
@@ -148,7 +148,7 @@ class Aligning(QObject):
             return
         from surfcmp_core.compiled.linear_algebra import composed, dots, inverse, rotation
 
-        frame = _to_comparison(shown)[0]  # axes are those one sees
+        frame = to_comparison(shown)[0]  # axes are those one sees
         turn = np.eye(4)
         if len(axis) == 1:
             turn["xyz".index(axis), 3] = step
@@ -186,7 +186,7 @@ class Aligning(QObject):
         self._panel.show_motion(motion, self._before, now, self._workbench.unit)
 
 
-def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return what leads from the places of 1 and of 2, as file 1 counts, to the comparison's.
 
     As file 1 counts: in its unit and axes, as motions are.
@@ -198,7 +198,8 @@ def _to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.flo
     return composed(comparison.frame, from_file), composed(comparison.transform, from_file)
 
 
-def _best_fit(shown: Compared, number: int | None, progress: Progress) -> Motion:
+def best_fit_of(shown: Compared, number: int | None, progress: Progress) -> Motion:
+    """Return how 2 comes nearest to 1 from where it lies, on a region by number or on all."""
     from surfcmp_core.alignment import best_fit
     from surfcmp_core.compiled.linear_algebra import applied
 

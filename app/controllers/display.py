@@ -98,7 +98,7 @@ class Display(QObject):
     @property
     def camera(self) -> Camera:
         """Where all views look from, or fly to."""
-        return self._to if self._flying else self._camera
+        return self._to if self.flying else self._camera
 
     @property
     def seen(self) -> Camera:
@@ -173,11 +173,12 @@ class Display(QObject):
             self._flight.start()
 
     @property
-    def _flying(self) -> bool:
+    def flying(self) -> bool:
+        """Whether the camera is on its way."""
         return self._flight.state() == QVariantAnimation.State.Running
 
     def _fly_on(self, share: float) -> None:
-        if self._flying:
+        if self.flying:
             self._camera = between(self._from, self._to, share)
             self._wish(moving=True)
 
@@ -188,7 +189,7 @@ class Display(QObject):
     def draw(self) -> None:
         """Have the views drawn sharply."""
         self._rest.stop()
-        self._wish(moving=self._flying)
+        self._wish(moving=self.flying)
 
     def print(self, density: float, use: Callable[[], object], *, light: bool = False) -> None:
         """Call `use` while the views hold pictures with `density` times the screen's pixels.
@@ -249,7 +250,7 @@ class Display(QObject):
     def _move_nothing(self) -> None:
         """Draw anew for another size; a flight goes on."""
         self._wish(moving=True)
-        if not self._flying:
+        if not self.flying:
             self._rest.start()
 
     def _turn(self, right: float, up: float) -> None:

@@ -44,10 +44,10 @@ class Sessions(QObject):
         self._located: Located = {}
         self._place: tuple[Path, Paths, bool] | None = None
         """Where the session lies, which surfaces it is about, whether it holds their scans."""
-        self._later = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
-        self._later.timeout.connect(self._save_now)
-        workbench.changed.connect(self._later.start)
-        display.changed.connect(self._later.start)
+        self.autosaving = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
+        self.autosaving.timeout.connect(self.autosave)
+        workbench.changed.connect(self.autosaving.start)
+        display.changed.connect(self.autosaving.start)
 
     def save_again(self) -> None:
         """Save the session where it was saved or opened; ask where it is another pair's."""
@@ -113,9 +113,23 @@ class Sessions(QObject):
         )
         return True
 
+    def autosave(self) -> None:
+        """Save the session, without its scans, in case the program does not end properly."""
+        workbench = self._workbench
+        if not workbench.document.complete:
+            return
+        try:
+            self.folder.begin()
+            state = self._display.state
+            here = self.folder.path.absolute()
+            text = to_text(workbench.document, state, self._hashes(), here, self._eye())
+            write(self.folder.autosave, text)
+        except (OSError, OutputError):
+            self.autosaving.stop()  # a full disk must not disturb the work
+
     def close(self) -> None:
         """Forget the session saved last and its scans: this one ends properly."""
-        self._later.stop()
+        self.autosaving.stop()
         self.folder.close()
 
     def _saved(self, path: Path) -> None:
@@ -159,20 +173,6 @@ class Sessions(QObject):
         found = self._asking.file(title, start)
         if found is not None:
             self.open(path, {**located, fault.number: (found, False)})
-
-    def _save_now(self) -> None:
-        """Save the session, without its scans, in case the program does not end properly."""
-        workbench = self._workbench
-        if not workbench.document.complete:
-            return
-        try:
-            self.folder.begin()
-            state = self._display.state
-            here = self.folder.path.absolute()
-            text = to_text(workbench.document, state, self._hashes(), here, self._eye())
-            write(self.folder.autosave, text)
-        except (OSError, OutputError):
-            self._later.stop()  # a full disk must not disturb the work
 
     def _eye(self) -> Eye:
         camera = self._display.camera

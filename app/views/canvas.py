@@ -72,7 +72,7 @@ class Canvas(QWidget):
         self.setMinimumSize(160, 120)
         self._image: QImage | None = None
         self._theme = LIGHT
-        self._labels: list[Label] = []
+        self.labels: list[Label] = []
         self._press: QPointF | None = None
         self._last = QPointF()
         self._moved = False
@@ -82,7 +82,7 @@ class Canvas(QWidget):
         self.brush = 0.0
         """Radius of the brush, in shares of the height."""
         self._path: list[QPointF] = []
-        self._hover: QPointF | None = None
+        self.hover: QPointF | None = None
         """Where the brush is."""
         self._top = _Top(self)
 
@@ -102,7 +102,7 @@ class Canvas(QWidget):
 
     def show_labels(self, labels: list[Label]) -> None:
         """Lay labels over the picture."""
-        self._labels = labels
+        self.labels = labels
         self._top.update()
 
     def pixels(self) -> tuple[int, int]:
@@ -121,16 +121,16 @@ class Canvas(QWidget):
     def draw_over(self, painter: QPainter) -> None:
         """Draw labels, and what the tool has drawn."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        for label in self._labels:
+        for label in self.labels:
             self._draw_label(painter, label)
         self._draw_path(painter)
 
     def _draw_label(self, painter: QPainter, label: Label) -> None:
         """Draw a dot on the place and its value beside it."""
-        at = self._position(label.right, label.up)
+        at = self.position(label.right, label.up)
         painter.setPen(QPen(QColor(self._theme.accent), 2))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawPolygon(QPolygonF([self._position(*corner) for corner in label.corners]))
+        painter.drawPolygon(QPolygonF([self.position(*corner) for corner in label.corners]))
         metrics = QFontMetricsF(self.font())
         wide = metrics.horizontalAdvance(label.text) + 1.5 * UNIT
         box = QRectF(at.x() + UNIT, at.y() - 3 * UNIT, wide, metrics.height() + UNIT / 2)
@@ -147,10 +147,10 @@ class Canvas(QWidget):
 
     def _draw_path(self, painter: QPainter) -> None:
         """Draw what the tool has drawn so far, and how large the brush is."""
-        if self._hover is not None:
+        if self.hover is not None:
             painter.setPen(QPen(QColor(self._theme.accent), 1.5))
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawEllipse(self._hover, *[self.brush * self.height()] * 2)
+            painter.drawEllipse(self.hover, *[self.brush * self.height()] * 2)
         if not self._path:
             return
         colour = QColor(self._theme.accent)
@@ -188,7 +188,8 @@ class Canvas(QWidget):
             (self.height() / 2 - position.y()) / height,
         )
 
-    def _position(self, right: float, up: float) -> QPointF:
+    def position(self, right: float, up: float) -> QPointF:
+        """Return where a point lies, given in shares of the height from the middle."""
         height = self.height()
         return QPointF(self.width() / 2 + right * height, height / 2 - up * height)
 
@@ -203,7 +204,7 @@ class Canvas(QWidget):
     @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.tool is Tool.BRUSH:
-            self._hover = event.position()
+            self.hover = event.position()
             self._top.update()
         if self._press is None:
             return
@@ -248,14 +249,14 @@ class Canvas(QWidget):
         """Take a tool in hand."""
         self.tool = tool
         self.setMouseTracking(tool is Tool.BRUSH)  # its size follows the pointer
-        self._hover = None
+        self.hover = None
         self._top.update()
         self._shape_pointer()
 
     @override
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self._hover = None
+        self.hover = None
         self._top.update()
 
     @override

@@ -27,10 +27,10 @@ class ViewTitle(QWidget):
         self.setFixedHeight(TITLE_HEIGHT)
         self._name = QLabel()
         self._name.setObjectName("title")
-        self._fact = QLabel()
-        self._fact.setProperty("kind", "quiet")
-        self._fact.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._fact.setMinimumWidth(0)
+        self.fact = QLabel()
+        self.fact.setProperty("kind", "quiet")
+        self.fact.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.fact.setMinimumWidth(0)
         self.button = QToolButton()
         self.button.setProperty("kind", "plain")
         self.button.setToolTip(
@@ -41,7 +41,7 @@ class ViewTitle(QWidget):
         row.setContentsMargins(UNIT + 4, 0, UNIT // 2, 0)
         row.setSpacing(UNIT)
         row.addWidget(self._name)
-        row.addWidget(self._fact, 1)
+        row.addWidget(self.fact, 1)
         row.addWidget(self.button)
 
     @property
@@ -52,7 +52,7 @@ class ViewTitle(QWidget):
     def set_texts(self, name: str, fact: str) -> None:
         """Show the view's name and a fact beside it."""
         self._name.setText(name)
-        self._fact.setText(fact)
+        self.fact.setText(fact)
 
     @override
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:

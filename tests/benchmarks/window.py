@@ -110,10 +110,10 @@ def measure_start(run: Run, lateness: Lateness, paths: list[Path]) -> None:
 
 def measure_turning(run: Run, lateness: Lateness) -> None:
     """Turn all views by the hand, then let it rest."""
-    display, begin = run.window.display, time.perf_counter()
+    begin = time.perf_counter()
     run.pictures.clear()
     while time.perf_counter() - begin < TURNING_SECONDS:
-        display._turn(0.02, 0.005)
+        run.window.grid.frames[0].canvas.turned.emit(0.02, 0.005)
         run.pause(TICK)
     frames = sum(pictures.wish.moving for _, pictures in run.pictures)
     say("frames while turning", frames / (time.perf_counter() - begin), "/s", "≥ 10")
@@ -158,7 +158,7 @@ def measure_changes(run: Run) -> None:
         run.window.display.change(relief=relief, picked=None)
         run.pause(2.0)
         begin = time.perf_counter()
-        run.window.display._pick(3, 0.01, 0.02)
+        run.window.grid.frames[3].canvas.clicked.emit(0.01, 0.02)
         name = "relief" if relief else "map"
         say(f"pick on the {name}", 1000 * (time.perf_counter() - begin), "ms", "≤ 100 ms")
 

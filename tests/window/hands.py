@@ -8,6 +8,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from app.jobs.window_folder import WindowFolder
 from app.window import MainWindow
 
 LEFT = Qt.MouseButton.LeftButton
@@ -20,6 +21,14 @@ def drag(qtbot: QtBot, widget: QWidget, *places: tuple[float, float]) -> None:
     for point in points[1:]:
         qtbot.mouseMove(widget, point)
     qtbot.mouseRelease(widget, LEFT, pos=points[-1])
+
+
+def kill(folder: WindowFolder) -> None:
+    """Leave a window's folder as if its program had been killed."""
+    aside = folder.path.rename(folder.path.with_name("aside"))
+    folder.close()
+    aside.rename(folder.path)
+    folder.path.with_suffix(".lock").touch()
 
 
 def show(window: MainWindow, name: str) -> None:

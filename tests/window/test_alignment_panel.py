@@ -76,10 +76,10 @@ def test_landmarks_move_surface_2(sample: MainWindow, qtbot: QtBot):
             place = QPoint(round(x * canvas.width()), round(y * canvas.height()))
             qtbot.mouseClick(canvas, LEFT, pos=place)
     assert len(sample.alignment_of.pairs) == 4
-    texts = [[label.text for label in frame.canvas._labels] for frame in sample.grid.frames]
+    texts = [[label.text for label in frame.canvas.labels] for frame in sample.grid.frames]
     assert texts == [["1", "2", "3", "4"], ["1", "2", "3", "4"], [], []]
     first = sample.grid.frames[0].canvas
-    assert first._position(first._labels[2].right, first._labels[2].up).x() == pytest.approx(
+    assert first.position(first.labels[2].right, first.labels[2].up).x() == pytest.approx(
         0.5 * first.width(), abs=2
     )
     assert sample.display.state.picked is None

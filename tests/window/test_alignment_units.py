@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.controllers.aligning import _best_fit, _to_comparison
+from app.controllers.aligning import best_fit_of, to_comparison
 from app.jobs.comparing import compared
 from app.model.document import Document
 from surfcmp_core.comparing.options import Motion, Options
@@ -22,7 +22,7 @@ def written(path: Path, points: np.ndarray, comment: str) -> Path:
 
 @pytest.mark.parametrize(("comments", "unit"), [(("unit cm", "unit cm"), ""), (("", ""), "cm")])
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_best_fit_is_told_as_file_1_counts(
+def test_abest_fit_of_is_told_as_file_1_counts(
     comments: tuple[str, str], unit: str, turned: bool, tmp_path: Path
 ):
     from surfcmp_core.io import read_surface
@@ -34,12 +34,12 @@ def test_a_best_fit_is_told_as_file_1_counts(
     one = written(tmp_path / "a.ply", whole, f"{axes[0]} {comments[0]}")
     two = written(tmp_path / "b.ply", second, f"{axes[1]} {comments[1]}")
     shown = compared(Document((one, two), Options(unit=unit or None)), None, silent)
-    motion = _best_fit(shown, None, silent)
+    motion = best_fit_of(shown, None, silent)
     np.testing.assert_allclose(np.array(motion.matrix)[:3, 3], shift, atol=1e-4)
 
     moved = compared(Document((one, two), Options(unit=unit or None, align=motion)), None, silent)
     assert moved.comparison.measures.mean_abs < 0.01  # mm
-    there = _to_comparison(moved)
+    there = to_comparison(moved)
     assert there[1][:3, :3] @ whole[0] + there[1][:3, 3] == pytest.approx(
         moved.comparison.surfaces[0].points[0] + 10 * shift * ([-1, -1, 1] if turned else 1),
         abs=0.01,

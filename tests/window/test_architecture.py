@@ -66,3 +66,19 @@ def test_no_imports_run_in_a_circle():
     while ends := [name for name, others in after.items() if not others]:
         after = {name: others - set(ends) for name, others in after.items() if name not in ends}
     assert not after
+
+
+TESTS = [
+    path
+    for room in ("app", "window", "benchmarks")
+    for path in sorted((Path(__file__).parents[1] / room).glob("*.py"))
+]
+
+
+@pytest.mark.parametrize("path", TESTS, ids=lambda path: "/".join(path.parts[-2:]))
+def test_no_test_reaches_into_what_is_private(path: Path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    reached = [node for node in ast.walk(tree) if isinstance(node, ast.Attribute)]
+    names = {node.attr for node in reached if ast.unparse(node.value) not in {"self", "os"}}
+    names |= {name.rsplit(".", 1)[-1] for name in imports(path) if name.startswith("app.")}
+    assert not {name for name in names if name.startswith("_") and not name.startswith("__")}

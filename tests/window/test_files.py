@@ -15,7 +15,6 @@ from pytestqt.qtbot import QtBot
 
 from app import settings
 from app.actions import KINDS
-from app.jobs.session_files import Fault
 from app.jobs.window_folder import WindowFolder
 from app.model.tool import Tool
 from app.model.view_state import Heatmap, ScaleChoice
@@ -24,7 +23,7 @@ from app.panels.help import HelpDialog
 from app.window import MainWindow
 from surfcmp_core.report import WRITERS
 from tests.window.conftest import PATIENCE
-from tests.window.hands import drop
+from tests.window.hands import drop, kill
 
 
 def test_a_session_is_saved_and_opened_again(
@@ -48,7 +47,7 @@ def test_a_session_is_saved_and_opened_again(
 def test_a_session_restores_everything(
     sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
-    sample.display._pick(3, 0.0, 0.0)
+    sample.grid.frames[3].canvas.clicked.emit(0.0, 0.0)
     sample.places.keep()
     sample.alignment_of.add_landmark(1, sample.workbench.shown.content.geometry.origin)
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), chain=3)
@@ -99,9 +98,10 @@ def test_a_session_says_which_scan_is_missing_and_where_it_was_found(
         qtbot.mouseClick(window.banner.action, Qt.MouseButton.LeftButton)
     assert window.banner.label.text().startswith("This file is not the after.xyz")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(found), ""))
-    window.sessions._ask_where(path, Fault(2, "after.xyz", "missing"), {})
+    with qtbot.waitSignal(window.sessions.opening.finished, timeout=PATIENCE):
+        window.sessions.open(path)
     with qtbot.waitSignal(window.workbench.compared, timeout=PATIENCE):
-        pass
+        qtbot.mouseClick(window.banner.action, Qt.MouseButton.LeftButton)
     assert window.workbench.document.paths == (files[0], found)
     assert window.workbench.shown.comparison.measures == measures
     assert not window.banner.action.isVisible()
@@ -160,7 +160,7 @@ def test_nothing_is_saved_without_surfaces(window: MainWindow, tmp_path: Path):
 def end_here(window: MainWindow) -> None:
     """Let go of what is kept, as if the program had ended here, and keep something new."""
     folder = window.sessions.folder
-    folder._held.close()
+    kill(folder)
     window.sessions.folder = WindowFolder(folder.path.parent)
 
 
@@ -178,7 +178,7 @@ def test_unpacked_scans_go_with_the_window(
     unpacked = window.workbench.document.paths[0]
     assert unpacked != files[0]
     assert unpacked.is_file()
-    window.sessions._save_now()
+    window.sessions.autosave()
     end_here(window)
     assert window.sessions.offer_recovery()
     window.close()
@@ -188,8 +188,8 @@ def test_unpacked_scans_go_with_the_window(
 def test_a_crash_is_noticed_at_the_next_start(
     sample: MainWindow, files: tuple[Path, Path], tmp_path: Path, qtbot: QtBot
 ):
-    sample.sessions._later.blockSignals(True)  # only what is saved here
-    sample.sessions._save_now()
+    sample.sessions.autosaving.blockSignals(True)  # only what is saved here
+    sample.sessions.autosave()
     left = sample.sessions.folder.autosave
     assert left.is_file()
     document = sample.workbench.document
@@ -201,7 +201,7 @@ def test_a_crash_is_noticed_at_the_next_start(
     with qtbot.waitSignal(sample.workbench.compared, timeout=PATIENCE):
         qtbot.mouseClick(sample.banner.action, Qt.MouseButton.LeftButton)
     assert sample.workbench.document == document
-    sample.sessions._save_now()
+    sample.sessions.autosave()
     sample.sessions.close()
     assert list(left.parent.parent.iterdir()) == []
     assert not sample.sessions.offer_recovery()
@@ -320,7 +320,7 @@ def test_names_and_paths_can_be_hidden(
     assert sha in page
     title = window.grid.frames[0].title
     hidden = window.exporting.picture_of_views(1).toImage()
-    assert title._fact.text() == files[0].name  # on the screen it still stands
+    assert title.fact.text() == files[0].name  # on the screen it still stands
     window.actions_of.hide.trigger()
     assert window.exporting.picture_of_views(1).toImage() != hidden
 

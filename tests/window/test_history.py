@@ -200,7 +200,7 @@ def test_a_tolerance_is_undone_with_its_line(sample: MainWindow, qtbot: QtBot):
 def test_labels_and_section_come_back_with_their_surfaces(
     sample: MainWindow, files: tuple[Path, Path], qtbot: QtBot
 ):
-    sample.display._pick(3, 0.0, 0.0)
+    sample.grid.frames[3].canvas.clicked.emit(0.0, 0.0)
     sample.places.keep()
     sample.display.change(section=(-10.0, 0.0, 10.0, 0.0), heatmap=Heatmap.ABSOLUTE)
     before = sample.display.state

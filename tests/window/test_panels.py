@@ -81,7 +81,7 @@ def test_a_label_stays_until_it_is_removed(sample: MainWindow, qtbot: QtBot):
     assert sample.probes.tree.topLevelItemCount() == 1
     qtbot.mouseClick(sample.probes.keep, LEFT)
     assert len(sample.display.state.probes) == 1
-    qtbot.waitUntil(lambda: len(canvas._labels) == 1)
+    qtbot.waitUntil(lambda: len(canvas.labels) == 1)
     item = sample.probes.tree.topLevelItem(0)
     z1, z2, d = (float(item.text(k).replace("−", "-")) for k in (3, 4, 5))
     assert d == pytest.approx(z1 - z2, abs=0.2)

@@ -15,6 +15,7 @@ from app.jobs.window_folder import WindowFolder
 from app.model.document import Document
 from app.model.view_state import ViewState
 from surfcmp_core.system.progress import silent
+from tests.window.hands import kill
 
 PROGRAM = """
 import json, sys, threading
@@ -50,7 +51,7 @@ def act(window, word, *more):
     elif word == "restore":
         window.banner.action.click()
     elif word == "save":
-        window.sessions._save_now()
+        window.sessions.autosave()
         say(saved=str(window.sessions.folder.autosave))
     elif word == "close":
         window.close()
@@ -161,7 +162,7 @@ def left_behind(folder: Path, text: str) -> Path:
     kept = WindowFolder(folder)
     kept.begin()
     kept.autosave.write_text(text)
-    kept._held.close()
+    kill(kept)
     return kept.path
 
 
@@ -171,7 +172,7 @@ def test_each_dead_window_is_offered_once_the_newest_first(tmp_path: Path):
     windows = [WindowFolder(tmp_path) for _ in range(4)]
     found = [window.rescue() for window in windows]
     assert [path and path.read_text() for path in found] == ["newest", "middle", "oldest", None]
-    windows[1]._held.close()  # dies too, before it has saved anything
+    kill(windows[1])  # dies too, before it has saved anything
     again = WindowFolder(tmp_path)
     assert again.rescue().read_text() == "middle"
     for window in (windows[0], *windows[2:], again):
@@ -185,7 +186,7 @@ def test_what_was_left_without_a_session_goes(tmp_path: Path):
     (kept.scans / "one").mkdir(parents=True)
     living = WindowFolder(tmp_path)
     living.begin()
-    kept._held.close()
+    kill(kept)
     assert WindowFolder(tmp_path).rescue() is None
     assert not kept.path.exists()
     assert living.path.is_dir()

@@ -134,7 +134,7 @@ def test_a_section_follows_the_line_on_the_screen(sample: MainWindow, relief: bo
         assert isinstance(place, Place)
         point = point_at(content, place, relief, 1)
         right, up, _ = sample.display.camera.project(point[None])[0]
-        at = canvas._position(right, up)
+        at = canvas.position(right, up)
         assert at.x() == pytest.approx(corner[0] * canvas.width(), abs=3)
         assert at.y() == pytest.approx(corner[1] * canvas.height(), abs=3)
 
@@ -172,10 +172,10 @@ def test_the_hand_ends_a_flight(sample: MainWindow, qtbot: QtBot):
     assert display.camera.focus != start.focus
 
 
-def test_where_pictures_come_slowly_the_camera_jumps(sample: MainWindow):
-    sample.display._frame_seconds = 1.0
+def test_where_pictures_come_slowly_the_camera_jumps(sample: MainWindow, monkeypatch):
+    monkeypatch.setattr("app.controllers.display.SLOW_SECONDS", -1.0)
     sample.display.look_from_above()
-    assert not sample.display._flying
+    assert not sample.display.flying
     assert sample.display.camera.back == (0.0, 0.0, 1.0)
 
 
@@ -210,10 +210,10 @@ def test_the_brush_shows_its_size(sample: MainWindow, qtbot: QtBot):
     before = canvas.grab().toImage()
     qtbot.keyClick(sample, Qt.Key.Key_B)
     qtbot.mouseMove(canvas, canvas.rect().center())
-    qtbot.waitUntil(lambda: canvas._hover is not None)
+    qtbot.waitUntil(lambda: canvas.hover is not None)
     assert canvas.grab().toImage() != before
     qtbot.keyClick(sample, Qt.Key.Key_V)
-    assert canvas._hover is None
+    assert canvas.hover is None
 
 
 def test_a_flight_goes_on_where_the_size_changes(sample: MainWindow, qtbot: QtBot):
