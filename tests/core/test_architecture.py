@@ -1,6 +1,5 @@
 """The core knows no screen, and its imports run one way."""
 
-import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import surfcmp_core
+from tests.parts import PAGE, drawn, imports, modules, part_of
 
 CORE = Path(surfcmp_core.__file__).parent
 FOREIGN = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "pyqtgraph"}
@@ -36,20 +36,7 @@ ORDER = (
 """Each part may import those in the rows above it, and itself."""
 RANK = {part: rank for rank, parts in enumerate(ORDER) for part in parts}
 
-MODULES = sorted(path for path in CORE.rglob("*.py") if path != CORE / "__init__.py")
-
-
-def imports(path: Path) -> set[str]:
-    """Name everything a module imports, wherever in it the import stands."""
-    names = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}: relative import"
-            names |= {node.module or ""}
-            names |= {f"{node.module}.{alias.name}" for alias in node.names}
-    return names
+MODULES = modules("surfcmp_core")
 
 
 def part(name: str) -> str | None:
@@ -70,7 +57,7 @@ def test_no_module_of_the_core_names_a_screen(path: Path) -> None:
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(CORE)))
 def test_imports_run_with_the_stream(path: Path) -> None:
-    own = path.relative_to(CORE).parts[0].removesuffix(".py")
+    own = part_of(path)
     assert own in RANK, f"{own} has no place in the order"
     for name in imports(path):
         other = part(name)
@@ -78,6 +65,11 @@ def test_imports_run_with_the_stream(path: Path) -> None:
             continue
         assert other in RANK, f"{path}: {name} has no place in the order"
         assert RANK[other] < RANK[own], f"{own} imports {name}, which is no further up"
+
+
+def test_the_picture_of_the_parts_is_as_the_imports_are() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    assert page == drawn(page), "python -m tests.parts draws it anew"
 
 
 def test_comparing_loads_no_screen(tmp_path: Path) -> None:

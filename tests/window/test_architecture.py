@@ -1,11 +1,11 @@
 """The window's imports run one way, and only what draws knows pyvista."""
 
-import ast
 from pathlib import Path
 
 import pytest
 
 import app
+from tests.parts import imports, modules, part_of
 
 APP = Path(app.__file__).parent
 ORDER = (
@@ -22,26 +22,15 @@ ORDER = (
 )
 """Each part may import those in the rows above it, and itself."""
 RANK = {part: rank for rank, parts in enumerate(ORDER) for part in parts}
-MODULES = sorted(path for path in APP.rglob("*.py") if path != APP / "__init__.py")
-
-
-def imports(path: Path) -> set[str]:
-    """Name what a module imports, wherever in it, and also for its types alone."""
-    names = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            names |= {f"{node.module}.{alias.name}" for alias in node.names}
-    return names
+MODULES = modules("app")
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(APP)))
 def test_imports_run_with_the_stream(path: Path):
-    own = path.relative_to(APP).parts[0].removesuffix(".py")
+    own = part_of(path)
     for name in imports(path):
         words = name.split(".")
-        if words[0] == "app" and words[1] != own:
+        if words[0] == "app" and words[1:] and words[1] != own:
             assert RANK[words[1]] < RANK[own], f"{own} imports {name}, which is no further up"
 
 
