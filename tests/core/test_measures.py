@@ -282,7 +282,7 @@ def test_many_equal_terms_add_up_exactly() -> None:
 def test_threads_do_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
     case = random_case(11, side=20)
     values, found = case.measure()
-    monkeypatch.setattr("surfcmp_core.measures.chunks._AT_ONCE", 50)
+    monkeypatch.setattr("surfcmp_core.measures.chunks.AT_ONCE", 50)
     other_values, other = case.measure(threads=3)
     assert numbers(other) == numbers(found)
     assert np.array_equal(other_values.mean_abs, values.mean_abs, equal_nan=True)

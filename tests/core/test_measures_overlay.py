@@ -212,7 +212,7 @@ def test_triangles_may_be_taken_a_few_at_once(monkeypatch: pytest.MonkeyPatch) -
     pair = random_pair(6, 30, 30)
     _, found = pair.measure()
     shares: list[float] = []
-    monkeypatch.setattr("surfcmp_core.measures.chunks._AT_ONCE", 7)
+    monkeypatch.setattr("surfcmp_core.measures.chunks.AT_ONCE", 7)
     assert pair.measure(progress=shares.append)[1] == found
     assert pair.measure(threads=3)[1] == found
     assert shares == sorted(shares)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import surfcmp_core
-from app import __main__ as program
 from app.__main__ import main
+from surfcmp_core.cli.main import run
 from surfcmp_core.io.samples import sample_pair
 from surfcmp_core.report import WRITERS
 from tests.program.said import lines
@@ -270,7 +270,7 @@ def test_one_stated_unit_serves_both(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 
 def test_no_command_opens_the_window(
-    pair: tuple[str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     opened: list[list[Path]] = []
 
@@ -278,12 +278,11 @@ def test_no_command_opens_the_window(
         opened.append(paths)
         return 7
 
-    monkeypatch.setattr(program, "_open_window", window)
-    assert main([]) == 7
-    assert main([pair[0]]) == 7
-    assert main(list(pair)) == 7
+    assert run([], window) == 7
+    assert run([pair[0]], window) == 7
+    assert run(list(pair), window) == 7
     assert opened == [[], [Path(pair[0])], [Path(one) for one in pair]]
-    assert main(["compere"]) == 3
+    assert run(["compere"], window) == 3
     (line,) = lines(capsys)
     assert line.startswith("surfcmp: compere: no such file, nor a command")
 

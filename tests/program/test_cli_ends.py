@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from app import __main__ as program
 from app.__main__ import main
+from surfcmp_core.cli.main import run
 from surfcmp_core.report import WRITERS
 from tests.program.said import lines
 
@@ -54,8 +54,7 @@ def test_wrong_usage_is_2_and_found_before_the_work(
     arguments: list[str],
 ) -> None:
     monkeypatch.setattr("surfcmp_core.io.read_surface", None)
-    monkeypatch.setattr(program, "_open_window", None)
-    assert main([word.format(a=pair[0], b=pair[1]) for word in arguments]) == 2
+    assert run([word.format(a=pair[0], b=pair[1]) for word in arguments], pytest.fail) == 2
     said = capsys.readouterr()
     assert said.out == ""
     assert "Traceback" not in said.err
