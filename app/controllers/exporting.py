@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QIODevice, QObject
 from PySide6.QtGui import QImage, QPixmap
@@ -13,9 +14,12 @@ from app.controllers.captions import Captions
 from app.controllers.display import Display
 from app.controllers.workbench import Workbench
 from app.jobs.runner import Runner
-from app.jobs.writing import Picture, export
+from app.jobs.writing import export
 from app.look.theme import theme
 from app.views.four_views import ViewGrid
+
+if TYPE_CHECKING:
+    from surfcmp_core.report.page import Picture
 
 REPORTS = (".html", ".pdf")
 REPORT_DENSITY = 2
@@ -70,7 +74,7 @@ class Exporting(QObject):
             return
         state = self._display.state
 
-        def begin(pictures: list[Picture]) -> None:
+        def begin(pictures: "list[Picture]") -> None:
             self.runner.start(lambda _progress: export(result, state, paths, pictures, hide))
 
         if any(path.suffix in REPORTS for path in paths):
@@ -104,7 +108,7 @@ class Exporting(QObject):
             self._display.changed.emit()  # the names are shown again
         return picture
 
-    def pictures(self, density: int) -> list[Picture]:
+    def pictures(self, density: int) -> "list[Picture]":
         """Return each visible view with its scale and legend, light as paper, as PNG files."""
         grid, captions, state = self._grid, self._captions, self._display.state
         grid.dress(theme(False))

@@ -19,7 +19,7 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.system.whole_files import OutputError
 
 AUTOSAVE_MILLISECONDS = 3000
-Paths = tuple[Path | None, Path | None]
+_Paths = tuple[Path | None, Path | None]
 SMALL = 64 << 20
 """Scans of so many bytes in all are put into the session unless the user says otherwise."""
 
@@ -42,7 +42,7 @@ class Sessions(QObject):
         for runner in (self.saving, self.opening):
             runner.failed.connect(telling.tell)
         self._located: Located = {}
-        self._place: tuple[Path, Paths, bool] | None = None
+        self._place: tuple[Path, _Paths, bool] | None = None
         """Where the session lies, which surfaces it is about, whether it holds their scans."""
         self.autosaving = QTimer(self, singleShot=True, interval=AUTOSAVE_MILLISECONDS)
         self.autosaving.timeout.connect(self.autosave)

@@ -23,5 +23,5 @@ class Section(QObject):
         content, state = self._display.content, self._display.state
         profile = None
         if content is not None and state.section is not None:
-            profile = content.cache(profile_of, content.comparison, state.section, content.geometry)
+            profile = content.once(profile_of, content.comparison, state.section, content.geometry)
         self._panel.show_profile(profile, self._display.unit, state.dark)

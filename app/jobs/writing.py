@@ -12,9 +12,7 @@ from app.model.view_state import ViewState
 
 if TYPE_CHECKING:
     from app.jobs.comparing import Compared
-
-Picture = tuple[str, bytes]
-"""A caption, and a PNG file's bytes."""
+    from surfcmp_core.report.page import Picture
 
 
 def export(

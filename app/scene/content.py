@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.borders import borders_of
-from app.scene.cache import Cache
 from app.scene.chain_table import ChainTable, chain_table
 from app.scene.distribution import Distributions, distributions_of
 from app.scene.geometry import Geometry, geometry_of
+from app.scene.once import Once
 from surfcmp_core.colours.maps import Rgb, difference_map
 
 if TYPE_CHECKING:
@@ -31,8 +31,8 @@ class Content:
     counts: dict[str, int]
     borders: tuple[tuple[NDArray[np.int32], Rgb], ...] = ()
     """Sides of T around each region, and its colour."""
-    cache: Cache = field(default_factory=Cache, init=False)
-    """Of what the views show: it ends with the content."""
+    once: Once = field(default_factory=Once, init=False)
+    """What is found for the views: it ends with the content."""
 
 
 def content_of(

@@ -47,7 +47,7 @@ def section_line(content: Content, state: ViewState, view: int) -> Segments:
     """Return the section's line, laid on the surface a view shows."""
     assert state.section is not None
     x0, y0, x1, y1 = state.section
-    profile = content.cache(profile_of, content.comparison, state.section, content.geometry)
+    profile = content.once(profile_of, content.comparison, state.section, content.geometry)
     share = profile.along / (math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)) or 1.0)
     z1 = np.where(np.isnan(profile.z1), profile.z2, profile.z1)
     z2 = np.where(np.isnan(profile.z2), profile.z1, profile.z2)

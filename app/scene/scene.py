@@ -98,23 +98,23 @@ class Scene:
 
 def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Scene:
     """Return what the four views show; a `sketch` only what is drawn while the camera moves."""
-    comparison, geometry, cache = content.comparison, content.geometry, content.cache
+    comparison, geometry, once = content.comparison, content.geometry, content.once
     quiet = palette(state.dark)
     patches = (*geometry.patches, geometry.patches[2])
 
     def paint(view: int, coarse: Coarse | None) -> Colours | Rgb:
         if view < 2:
             plain = (quiet.surface_1, quiet.surface_2)[view]
-            return cache(surface_colours, patches[view], plain, state.dark, coarse)
+            return once(surface_colours, patches[view], plain, state.dark, coarse)
         if view == 2:
-            return cache(united_colours, comparison, state.chain, state.dark, coarse)
+            return once(united_colours, comparison, state.chain, state.dark, coarse)
         kind, scale = state.heatmap, visible_part(state.colours)
-        return cache(heatmap_colours, comparison, kind, scale, state.brush, state.dark, coarse)
+        return once(heatmap_colours, comparison, kind, scale, state.brush, state.dark, coarse)
 
     def node_colours(view: int) -> Colours:
         if view < 2:
-            return cache(plain_nodes, len(patches[view].points), view + 1, state.dark)
-        return cache(united_nodes, comparison, state.dark)
+            return once(plain_nodes, len(patches[view].points), view + 1, state.dark)
+        return once(united_nodes, comparison, state.dark)
 
     lines = [lines_of(content, state, quiet, view) for view in range(VIEWS)]
     layers = [

@@ -1,5 +1,8 @@
 """The window's imports run one way, and only what draws knows pyvista."""
 
+import ast
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -55,6 +58,12 @@ def test_no_imports_run_in_a_circle():
     while ends := [name for name, others in after.items() if not others]:
         after = {name: others - set(ends) for name, others in after.items() if name not in ends}
     assert not after
+
+
+def test_the_window_is_there_before_the_core():
+    code = "import sys, app.window; print({'numba', 'scipy', 'matplotlib'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
 
 
 TESTS = [

@@ -8,7 +8,7 @@ MOST = 4
 """Results kept of each function: of the two surfaces, whole and coarse."""
 
 
-class Cache:
+class Once:
     """Keeps the newest results of pure functions, for as long as it lives itself."""
 
     def __init__(self) -> None:
