@@ -4,7 +4,7 @@ python := .venv/bin/python
 # Qt and VTK on a screen in memory
 screen := QT_API=pyside6 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24 -noreset"
 
-.PHONY: help run test test-core test-program test-window lint types bench fuzz samples screenshot \
+.PHONY: help run test test-core test-plain test-program test-window lint types bench fuzz samples screenshot \
 	setup-run setup-test setup-dev
 
 help: ## say what there is
@@ -21,6 +21,9 @@ test-core: setup-test ## run the tests of the core, and of the window's parts th
 
 test-program: setup-test ## run the tests of whole programs, which start processes
 	$(python) -m pytest tests/program
+
+test-plain: setup-test ## run tests of all kernels without compilation, where no index or overflow passes in silence
+	NUMBA_DISABLE_JIT=1 $(python) -m pytest tests/core -m "plain and not large"
 
 test-window: setup-test ## run the tests of the window
 	$(screen) $(python) -m pytest tests/window

@@ -13,17 +13,17 @@ _STEPS = (_BITS + 1) // 2
 """Two bits of either axis are looked up at once."""
 
 
-def _table() -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+def _table() -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Tabulate two levels of the curve for each of its four ways through a square.
 
     Returns
     -------
-    digits, onward : (64,) uint8
+    digits, onward : (64,) int64
         At 16 way + 4 (two bits of x) + (two bits of y): four bits of the key, and the way through
         the small square. Bit 0 of a way exchanges x and y, bit 1 turns both round.
     """
-    digits = np.empty(64, np.uint8)
-    onward = np.empty(64, np.uint8)
+    digits = np.empty(64, np.int64)
+    onward = np.empty(64, np.int64)
     for place in range(64):
         way, digit = place >> 4, 0
         for level in (1, 0):

@@ -19,6 +19,8 @@ from tests.core import oracles
 from tests.invariants import check_pair, merge
 from tests.pairs import Nodes, Pair, pair_of
 
+pytestmark = pytest.mark.plain
+
 
 def _ring(count: int, radius: float, turn: float = 0.0) -> Nodes:
     angle = (np.arange(count) + turn) * 2.0 * np.pi / count
@@ -98,6 +100,7 @@ def _united_of_surfaces(first: Nodes, second: Nodes, progress: object = None) ->
     return unite(t1, t2, *trees, shared_nodes(*grids), progress)  # type: ignore[arg-type]
 
 
+@pytest.mark.large
 def test_tracing_many_triangles_tells_how_far_it_is_and_can_be_stopped() -> None:
     rng = np.random.default_rng(2)
     first, second = rng.random((2, 120_000, 2))
@@ -237,6 +240,7 @@ def _star(count: int) -> Pair:
     return Pair("star", ring[::2], np.concatenate((ring[1::2], 1.5 * ring[1::2], [[1e-3, 2e-3]])))
 
 
+@pytest.mark.large
 @pytest.mark.parametrize(
     "pair_of_size",
     [lambda n: Pair("uniform", *np.random.default_rng(3).random((2, n, 2))), _star],

@@ -31,6 +31,8 @@ from tests.core.domain_cases import (
 )
 from tests.pairs import Nodes, distinct
 
+pytestmark = pytest.mark.plain
+
 
 def _beside(nodes: Nodes, queries: Nodes) -> Nodes:
     """Leave out places that are nodes: whether those have data, `at_node` tells."""

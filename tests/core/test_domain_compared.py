@@ -13,6 +13,8 @@ from surfcmp_core.triangulation import triangulate
 from tests.core.domain_cases import Faces, is_under, lattice, surface_of
 from tests.pairs import Nodes, distinct
 
+pytestmark = pytest.mark.plain
+
 
 def _some_faces(rng: np.random.Generator, nodes: Nodes, share: float) -> Faces:
     triangulation = triangulate(nodes)

@@ -11,6 +11,8 @@ from tests.fuzz.shrinking import fewer
 from tests.fuzz.trials import load, random_trial, smaller
 from tests.pairs import pair_of
 
+pytestmark = pytest.mark.plain
+
 FIXTURES = sorted((Path(__file__).parent / "fixtures").glob("trial_*.json"))
 
 

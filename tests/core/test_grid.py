@@ -12,6 +12,8 @@ from surfcmp_core.grid import Grid, box_of, grid_of, safe_scale
 from surfcmp_core.surface import Duplicates, Surface
 from tests.pairs import distinct
 
+pytestmark = pytest.mark.plain
+
 
 def _surface(points: object, faces: object = None, name: str = "scan") -> Surface:
     return Surface(

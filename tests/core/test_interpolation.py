@@ -14,6 +14,8 @@ from surfcmp_core.triangulation import Triangulation, triangulate
 from tests.core import oracles
 from tests.pairs import Nodes, distinct, is_flat, pair_of
 
+pytestmark = pytest.mark.plain
+
 Floats = NDArray[np.float64]
 
 

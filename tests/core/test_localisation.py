@@ -11,6 +11,8 @@ from surfcmp_core.triangulation import Triangulation, triangulate
 from tests.core import oracles
 from tests.pairs import FAMILIES, Nodes, pair_of
 
+pytestmark = pytest.mark.plain
+
 
 def _check(target: Triangulation, queries: Nodes, found: NDArray[np.int32]) -> None:
     """A real triangle holds its node; a ghost's hull edge has it strictly outside."""

@@ -22,6 +22,8 @@ from tests.core.measure_cases import (
     representative,
 )
 
+pytestmark = pytest.mark.plain
+
 
 @pytest.mark.parametrize("turned", range(5))
 def test_bell_over_lattice(turned: int) -> None:
@@ -42,6 +44,7 @@ def franke(x: Floats, y: Floats) -> Floats:
     )
 
 
+@pytest.mark.large
 def test_franke_in_the_limit() -> None:
     coarse, fine = (over_lattice(n, 0.0, 1.0, franke).volume_above for n in (101, 201))
     assert (4.0 * fine - coarse) / 3.0 == pytest.approx(0.40696959, abs=1e-8)
@@ -268,6 +271,7 @@ def test_sums_do_not_depend_on_the_order(order: list[int]) -> None:
     assert numbers(shuffled) == numbers(found)
 
 
+@pytest.mark.large
 def test_many_equal_terms_add_up_exactly() -> None:
     nodes = np.array([[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]])
     triangles = np.tile(np.array([[0, 1, 2]], np.int32), (100_000, 1))

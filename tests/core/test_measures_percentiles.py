@@ -5,10 +5,13 @@ from fractions import Fraction
 from random import Random
 
 import numpy as np
+import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
 from surfcmp_core.measures.percentiles import area_percentiles
+
+pytestmark = pytest.mark.plain
 
 PERCENTS = (0, 1, 50, 90, 95, 100)
 

@@ -18,6 +18,8 @@ from surfcmp_core.measures.triangle_integrals import (
     share_within,
 )
 
+pytestmark = pytest.mark.plain
+
 Point = tuple[Fraction, Fraction, Fraction]  # barycentric
 Linear = Callable[[Point], Fraction]
 

@@ -26,6 +26,8 @@ from surfcmp_core.predicates import (
 from tests.core import oracles
 from tests.core.predicate_cases import COMPILED, Cases, blocks, whole_range
 
+pytestmark = pytest.mark.plain
+
 PREDICATES: dict[str, tuple[Callable[..., float], Callable[..., Any], int]] = {
     "orientation": (orientation, oracles.orientation, 3),
     "in_circle": (in_circle, oracles.in_circle, 4),

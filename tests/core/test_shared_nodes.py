@@ -10,6 +10,8 @@ from surfcmp_core.surface import Surface
 from tests.invariants import shared_by_hand
 from tests.pairs import FAMILIES, Nodes, distinct, pair_of
 
+pytestmark = pytest.mark.plain
+
 
 def _check(first: Nodes, second: Nodes) -> None:
     surfaces = [Surface(np.column_stack((nodes, nodes[:, 0]))) for nodes in (first, second)]

@@ -12,6 +12,8 @@ from tests import pairs
 from tests.core import oracles
 from tests.pairs import FAMILIES, Nodes, pair_of
 
+pytestmark = pytest.mark.plain
+
 
 def _check(nodes: Nodes) -> None:
     """The tree joins all nodes, is as short as any, and its influence circles are empty."""

@@ -12,6 +12,8 @@ from surfcmp_core.errors import InputError
 from surfcmp_core.grid.thinning import thin_random, thin_to_spacing
 from surfcmp_core.surface import Surface
 
+pytestmark = pytest.mark.plain
+
 POINTS = np.random.default_rng(0).uniform(-50.0, 50.0, (2000, 3)) * [1.0, 1.0, 0.1]
 CLOUD = Surface(POINTS, name="cloud", unit="mm", dropped={"island": 3, "thinned": 5})
 

@@ -20,6 +20,8 @@ from tests.core.node_sets import node_sets
 from tests.invariants import check_delaunay, codes, ranks, same
 from tests.pairs import FAMILIES, Nodes, distinct, pair_of
 
+pytestmark = pytest.mark.plain
+
 Triangles = NDArray[np.int32]
 
 
