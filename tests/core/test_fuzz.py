@@ -16,7 +16,13 @@ pytestmark = pytest.mark.plain
 FIXTURES = sorted((Path(__file__).parent / "fixtures").glob("trial_*.json"))
 
 
-@pytest.mark.parametrize("seed", range(60))
+SLOW = {39, 44}
+"""Trials that ask for much where kernels are not compiled."""
+
+
+@pytest.mark.parametrize(
+    "seed", [pytest.param(k, marks=pytest.mark.large) if k in SLOW else k for k in range(60)]
+)
 def test_a_random_trial(seed: int) -> None:
     check(random_trial(seed))
 
