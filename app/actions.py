@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # the menus are on the screen before the core is loaded
     from app.controllers.opening import Opening
     from app.controllers.probing import Places
     from app.controllers.saving import Sessions
+    from app.controllers.superimposing import Superimposing
     from app.controllers.workbench import Workbench
 
 KINDS = {
@@ -51,6 +52,7 @@ class Actions(QObject):
     _sessions: "Sessions"
     _exporting: "Exporting"
     _places: "Places"
+    _superimposing: "Superimposing"
 
     def __init__(
         self,
@@ -110,6 +112,8 @@ class Actions(QObject):
             text = self.tr("Only {}").format(names[view].lower())
             self._add(self.view_menu, text, partial(self._fill, view), str(view + 1))
         self._add(self.view_menu, self.tr("All four views"), lambda: self._fill(None), "0")
+        both = self.tr("Both scans in one scene")
+        self._add(self.view_menu, both, lambda: self._superimposing.open(), "5")
         self.view_menu.addSeparator()
         self._add(self.view_menu, self.tr("Map or relief"), self.toggle_relief, "M")
         self._add(self.view_menu, self.tr("Show everything"), display.go_home, "Home")
@@ -148,6 +152,7 @@ class Actions(QObject):
         sessions: "Sessions",
         exporting: "Exporting",
         places: "Places",
+        superimposing: "Superimposing",
     ) -> None:
         """Let the actions act."""
         self._workbench = workbench
@@ -155,6 +160,7 @@ class Actions(QObject):
         self._sessions = sessions
         self._exporting = exporting
         self._places = places
+        self._superimposing = superimposing
         workbench.changed.connect(self._follow)
         self._follow()
 

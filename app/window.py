@@ -33,6 +33,7 @@ from app.panels.progress_line import ProgressStrip
 from app.panels.regions_panel import RegionsPanel
 from app.panels.scale_panel import ScalePanel
 from app.panels.section_panel import SectionPanel
+from app.panels.superimposition_panel import SuperimpositionPanel
 from app.panels.toolbar import Toolbar
 from app.views.four_views import ViewGrid
 from surfcmp_core.system.children import end_children
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from app.controllers.opening import Opening
     from app.controllers.probing import Places
     from app.controllers.saving import Sessions
+    from app.controllers.superimposing import SceneView, Superimposing
     from app.controllers.workbench import Workbench
     from app.jobs.runner import Runner
 
@@ -65,6 +67,7 @@ class MainWindow(QMainWindow):
     regions_of: "Regions"
     alignment_of: "Aligning"
     sessions: "Sessions"
+    superimposing: "Superimposing"
 
     def __init__(self) -> None:
         super().__init__()
@@ -143,6 +146,7 @@ class MainWindow(QMainWindow):
         from app.controllers.probing import Places
         from app.controllers.saving import Sessions
         from app.controllers.sectioning import Section
+        from app.controllers.superimposing import Superimposing
         from app.controllers.work import Work
         from app.controllers.workbench import Workbench
 
@@ -157,6 +161,9 @@ class MainWindow(QMainWindow):
         self.chains_of = ChainChoice(workbench, display, self.chains)
         self.regions_of = Regions(workbench, display, self.regions, telling, self.dialogs)
         self.alignment_of = Aligning(workbench, display, self.alignment, self.regions_of, telling)
+        self.superimposing = Superimposing(
+            workbench, display, SuperimpositionPanel(), _view_of_both, telling, self.dialogs
+        )
         captions = Captions(display, self.grid.frames)
         self.exporting = Exporting(workbench, display, self.grid, captions, telling, self.dialogs)
         self._tied = (
@@ -173,7 +180,14 @@ class MainWindow(QMainWindow):
                 telling,
             ),
         )
-        self.actions_of.tie(workbench, self.opening, self.sessions, self.exporting, self.places)
+        self.actions_of.tie(
+            workbench,
+            self.opening,
+            self.sessions,
+            self.exporting,
+            self.places,
+            self.superimposing,
+        )
         workbench.compared.connect(collect_garbage)
         workbench.failed.connect(collect_garbage)
 
@@ -226,6 +240,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         settings.remember_layout(self.saveGeometry(), self.saveState())
         self.hide()
+        self.superimposing.close()
         for runner in self.runners:
             runner.stop()
         self.ended = self.display.close(CLOSING_SECONDS)
@@ -233,6 +248,13 @@ class MainWindow(QMainWindow):
             self.ended &= runner.wait(CLOSING_SECONDS if self.ended else 0.0)
         self.sessions.close()  # when nothing is unpacked any longer
         super().closeEvent(event)
+
+
+def _view_of_both(panel: SuperimpositionPanel) -> "SceneView":
+    """Make the view of both scans; what it needs is loaded only now."""
+    from app.views.superimposition import SuperimpositionView
+
+    return SuperimpositionView(panel)
 
 
 def collect_garbage(_: object) -> None:

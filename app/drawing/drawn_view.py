@@ -3,6 +3,7 @@
 import numpy as np
 import pyvista
 
+from app.drawing.lights import light
 from app.drawing.mesh import Mesh, cells_of, new_actor, paint, points_of
 from app.scene.camera import Camera, Vector
 from app.scene.scene import MeshLayer
@@ -41,11 +42,7 @@ class DrawnView:
             mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -4000)
             mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-4000)
             renderer.AddActor(actor)
-        for place, strength in (((-0.55, 0.75, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.22)):
-            light = pyvista.Light(
-                position=place, focal_point=(0, 0, 0), intensity=strength, light_type="camera light"
-            )
-            renderer.AddLight(light)
+        light(renderer)
         renderer.camera.parallel_projection = True
 
     def apply(self, layer: MeshLayer | None) -> None:

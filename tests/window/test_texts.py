@@ -100,8 +100,7 @@ def test_qt_finds_the_texts_of_the_core(tmp_path: Path):
 
 KNOWN = {
     "window.py": {"Fusion"},
-    "drawing/drawn_view.py": {"camera light"},
-    "drawing/renderer.py": {"VTK_DEFAULT_OPENGL_WINDOW", "AbortCheckEvent"},
+    "drawing/renderer.py": {"AbortCheckEvent", "VTK_DEFAULT_OPENGL_WINDOW"},
 }
 
 
