@@ -1,6 +1,7 @@
 """All measures of one comparison, in one pass over the triangles."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +14,16 @@ from surfcmp_core.measures.totals import (
     WITHIN_2,
     Covered,
     Part,
+    Terms,
     TriangleValues,
     add_piece,
     add_triangle,
     measures_from,
     power_of_two_above,
     refuse_senseless,
+    room_for_values,
     share_of,
+    terms_of,
     totals_of,
     zero_sums,
 )
@@ -43,32 +47,47 @@ def _subtract(
     return largest
 
 
+class _Measured(NamedTuple):
+    """What is measured of T.
+
+    Attributes
+    ----------
+    nodes, label, triangles, compared, triangle_weight
+        As for :func:`measure`; no weight is an empty one.
+    difference : (N,) float64
+        d at the nodes, in a unit that makes it at most 1.
+    share_1, share_2 : (M,) float64
+        Of `Covered`; empty where all that is compared is covered.
+    """
+
+    nodes: NDArray[np.float64]
+    label: NDArray[np.uint8]
+    triangles: NDArray[np.int32]
+    difference: NDArray[np.float64]
+    compared: NDArray[np.bool_]
+    triangle_weight: NDArray[np.float64]
+    share_1: NDArray[np.float64]
+    share_2: NDArray[np.float64]
+
+
 @kernel
 def _pass(
     begin: int,
     end: int,
-    nodes: NDArray[np.float64],
-    label: NDArray[np.uint8],
-    triangles: NDArray[np.int32],
-    difference: NDArray[np.float64],
-    compared: NDArray[np.bool_],
-    tolerances: NDArray[np.float64],
-    node_weight: NDArray[np.float64],
-    triangle_weight: NDArray[np.float64],
-    share_1: NDArray[np.float64],
-    share_2: NDArray[np.float64],
-    unit: float,
-    areas: NDArray[np.float64],
-    means_abs: NDArray[np.float64],
-    means_signed: NDArray[np.float64],
+    measured: _Measured,
+    terms: Terms,
+    values: TriangleValues,
     sums: NDArray[np.float64],
 ) -> tuple[int, float]:
     """Fill in values and sums of triangles begin..end-1.
 
-    The difference comes in units that make it at most 1; values leave in the input's, sums stay.
+    Values are in the input's unit, sums in that of `terms`.
     Return the first triangle without positive area or without difference (-1: none), and the
     largest |d|.
     """
+    nodes, label, triangles, difference, compared, triangle_weight, share_1, share_2 = measured
+    unit, tolerances, node_weight = terms
+    areas, means_abs, means_signed = values
     largest = 0.0
     triangle_sums = np.zeros(len(sums))
     for t in range(begin, end):
@@ -166,29 +185,22 @@ def measure(
     unit = power_of_two_above(_subtract(z1, z2, difference))
     difference /= unit
     count = len(triangles)
-    values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
+    values = room_for_values(count)
+    measured = _Measured(
+        nodes,
+        label,
+        triangles,
+        difference,
+        compared,
+        np.empty(0) if triangle_weight is None else triangle_weight,
+        np.empty(0) if footprint_1.shares is None else footprint_1.shares,
+        np.empty(0) if footprint_2.shares is None else footprint_2.shares,
+    )
+    terms = terms_of(unit, tolerances, node_weight)
 
     def work(begin: int, end: int) -> Part:
         sums = zero_sums(tolerances)
-        faulty, largest = _pass(
-            begin,
-            end,
-            nodes,
-            label,
-            triangles,
-            difference,
-            compared,
-            np.array(tolerances, dtype=np.float64) / unit,
-            np.empty(0) if node_weight is None else node_weight,
-            np.empty(0) if triangle_weight is None else triangle_weight,
-            np.empty(0) if footprint_1.shares is None else footprint_1.shares,
-            np.empty(0) if footprint_2.shares is None else footprint_2.shares,
-            unit,
-            values.area,
-            values.mean_abs,
-            values.mean_signed,
-            sums,
-        )
+        faulty, largest = _pass(begin, end, measured, terms, values, sums)
         if faulty >= 0:
             raise ValueError(f"triangle {faulty} lacks area or data and cannot be compared")
         return Part(sums, largest)

@@ -32,8 +32,7 @@ WITHIN_2 = 12
 _TOLERATED = 13
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class TriangleValues:
+class TriangleValues(NamedTuple):
     """What each of M triangles contributes; NaN where a triangle is not compared."""
 
     area: NDArray[np.float64]
@@ -54,6 +53,16 @@ class Covered:
     """(M,) how much of each triangle of T lies in it, 0 to 1; None: all that is compared does."""
 
 
+class Terms(NamedTuple):
+    """In which terms a difference d is measured."""
+
+    unit: float
+    """Length in which sums and tolerances are; a negative one exchanges the signs of values."""
+    tolerances: NDArray[np.float64]
+    node_weight: NDArray[np.float64]
+    """(N,) µ at the nodes of T; empty for none."""
+
+
 class Part(NamedTuple):
     """What some of the triangles of T contribute."""
 
@@ -67,6 +76,19 @@ def refuse_senseless(tolerances: Sequence[float]) -> None:
     """Raise ValueError where a tolerance is negative or NaN."""
     if not all(tolerance >= 0.0 for tolerance in tolerances):
         raise ValueError("a tolerance is negative or not a number")
+
+
+def terms_of(
+    unit: float, tolerances: Sequence[float], node_weight: NDArray[np.float64] | None
+) -> Terms:
+    """Bring tolerances into a unit; no weight is an empty one."""
+    weight = np.empty(0) if node_weight is None else node_weight
+    return Terms(unit, np.array(tolerances, dtype=np.float64) / unit, weight)
+
+
+def room_for_values(count: int) -> TriangleValues:
+    """Make room for the values of so many triangles."""
+    return TriangleValues(np.empty(count), np.empty(count), np.empty(count))
 
 
 def zero_sums(tolerances: Sequence[float]) -> NDArray[np.float64]:

@@ -5,6 +5,8 @@ hang together through edges that run through t, and form a tree: a flood from an
 each once.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,19 +23,21 @@ def _turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> f
     return orientation(ax, ay, bx, by, cx, cy)
 
 
+class _Places(NamedTuple):
+    """Where the corners of a triangle of T lie, counter-clockwise."""
+
+    ax: float
+    ay: float
+    bx: float
+    by: float
+    cx: float
+    cy: float
+
+
 @kernel
-def _runs_through(
-    nodes: NDArray[np.float64],
-    p: int,
-    q: int,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    cx: float,
-    cy: float,
-) -> bool:
+def _runs_through(nodes: NDArray[np.float64], p: int, q: int, abc: _Places) -> bool:
     """Whether the edge pq meets the interior of the counter-clockwise triangle abc."""
+    ax, ay, bx, by, cx, cy = abc
     px, py, qx, qy = nodes[p, 0], nodes[p, 1], nodes[q, 0], nodes[q, 1]
     # Apart if a line along one of the four edges has them on its two sides.
     if _turn(ax, ay, bx, by, px, py) <= 0.0 and _turn(ax, ay, bx, by, qx, qy) <= 0.0:
@@ -54,18 +58,14 @@ def _seed_at_own_node(
     start: NDArray[np.int32],
     twin: NDArray[np.int32],
     leaving: int,
-    bx: float,
-    by: float,
-    cx: float,
-    cy: float,
+    abc: _Places,
 ) -> int:
     """Among the triangles around node a of T1, one that overlaps the triangle abc; -1 for none.
 
     Going counter-clockwise around a, it is the one in which b lies or, where b lies outside the
     hull, the first of the hull if it comes before c.
     """
-    a = start[leaving]
-    ax, ay = nodes[a, 0], nodes[a, 1]
+    ax, ay, bx, by, cx, cy = abc
     first = -1
     h = leaving
     while True:
@@ -97,14 +97,10 @@ def _seed_at_place(
     twin: NDArray[np.int32],
     real: int,
     found: int,
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    cx: float,
-    cy: float,
+    abc: _Places,
 ) -> int:
     """Like `_seed_at_own_node` where a is no node of T1 but was found in the triangle `found`."""
+    ax, ay, bx, by, cx, cy = abc
     on_border = -1
     for h in range(3 * found, 3 * found + 3):
         p, q = start[h], start[following(h)]
@@ -127,14 +123,10 @@ def _seed_on_hull(
     twin: NDArray[np.int32],
     real: int,
     ghosts: tuple[int, int, int],
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    cx: float,
-    cy: float,
+    abc: _Places,
 ) -> int:
     """Like `_seed_at_own_node` where all of a, b, c are outside the hull, beyond these ghosts."""
+    ax, ay, bx, by, cx, cy = abc
     for g in ghosts:
         p, q = start[3 * g], start[3 * g + 1]
         px, py, qx, qy = nodes[p, 0], nodes[p, 1], nodes[q, 0], nodes[q, 1]
@@ -146,7 +138,7 @@ def _seed_on_hull(
             return -1
     # Rare: the hull has no edge with abc beyond it that we know of, so ask all.
     for g in range(real, start.size // 3):
-        if _runs_through(nodes, start[3 * g], start[3 * g + 1], ax, ay, bx, by, cx, cy):
+        if _runs_through(nodes, start[3 * g], start[3 * g + 1], abc):
             return int(twin[3 * g]) // 3
     return -1
 
@@ -205,16 +197,16 @@ def overlapped(
                 a, b, c = b, c, a
             elif found[c] < real:
                 a, b, c = c, a, b
-    ax, ay = places[a, 0], places[a, 1]
-    bx, by = places[b, 0], places[b, 1]
-    cx, cy = places[c, 0], places[c, 1]
+    abc = _Places(
+        places[a, 0], places[a, 1], places[b, 0], places[b, 1], places[c, 0], places[c, 1]
+    )
     if own[a] >= 0:
-        seed = _seed_at_own_node(nodes, start, twin, leaving[own[a]], bx, by, cx, cy)
+        seed = _seed_at_own_node(nodes, start, twin, leaving[own[a]], abc)
     elif found[a] < real:
-        seed = _seed_at_place(nodes, start, twin, real, found[a], ax, ay, bx, by, cx, cy)
+        seed = _seed_at_place(nodes, start, twin, real, found[a], abc)
     else:
         ghosts = (found[a], found[b], found[c])
-        seed = _seed_on_hull(nodes, start, twin, real, ghosts, ax, ay, bx, by, cx, cy)
+        seed = _seed_on_hull(nodes, start, twin, real, ghosts, abc)
     if seed < 0:
         return 0, False
     inside = True
@@ -228,7 +220,7 @@ def overlapped(
             h = 3 * t + k
             # The edge through which t was entered is known already.
             if found_edges[visited] >> k & 1 == 0 and _runs_through(
-                nodes, start[h], start[following(h)], ax, ay, bx, by, cx, cy
+                nodes, start[h], start[following(h)], abc
             ):
                 found_edges[visited] |= 1 << k
                 beyond = twin[h]

@@ -13,7 +13,7 @@ from surfcmp_core.measures.exact.overlay_side import (
     precedes,
     side_of,
 )
-from surfcmp_core.measures.exact.pieces import integrate_pieces
+from surfcmp_core.measures.exact.pieces import Overlay, integrate_pieces
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.measures.totals import (
     AREA,
@@ -24,7 +24,9 @@ from surfcmp_core.measures.totals import (
     measures_from,
     power_of_two_above,
     refuse_senseless,
+    room_for_values,
     share_of,
+    terms_of,
     totals_of,
     zero_sums,
 )
@@ -100,29 +102,16 @@ def measure_exactly(
     extent = power_of_two_above(float(np.ptp(united.nodes, axis=0).max()))
     area_unit = (extent * length) * (extent * length)
     count = len(united.triangles)
-    values = TriangleValues(np.empty(count), np.empty(count), np.empty(count))
+    values = room_for_values(count)
+
+    overlay = Overlay(
+        united.nodes, united.label, united.triangles, first, second, 1.0 / extent, continued
+    )
+    terms = terms_of(unit, tolerances, node_weight)._replace(unit=-unit if exchanged else unit)
 
     def work(begin: int, end: int) -> Part:
         sums = zero_sums(tolerances)
-        largest = integrate_pieces(
-            begin,
-            end,
-            united.nodes,
-            united.label,
-            united.triangles,
-            first,
-            second,
-            1.0 / extent,
-            np.array(tolerances, dtype=np.float64) / unit,
-            np.empty(0) if node_weight is None else node_weight,
-            continued,
-            -unit if exchanged else unit,
-            values.area,
-            values.mean_abs,
-            values.mean_signed,
-            sums,
-        )
-        return Part(sums, largest)
+        return Part(sums, integrate_pieces(begin, end, overlay, terms, values, sums))
 
     parts = [Part(zero_sums(tolerances), 0.0), *over_chunks(work, count, threads, progress)]
     total = totals_of(parts)
@@ -135,7 +124,7 @@ def measure_exactly(
         coverage=(coverage[exchanged], coverage[not exchanged]),
         hausdorff=hausdorff,
     )
-    return replace(values, area=values.area * area_unit), replace(
+    return values._replace(area=values.area * area_unit), replace(
         measures,
         area_compared=measures.area_compared * area_unit,
         area_interface=measures.area_interface * area_unit,
@@ -170,25 +159,18 @@ def disagreement(one: LinearSurface, other: LinearSurface) -> tuple[float, float
     unit = power_of_two_above(float(one.z.max()) - float(one.z.min()))
     t = other.triangulation
     extent = power_of_two_above(float(np.ptp(t.nodes, axis=0).max()))
-    areas, means, signed = (np.empty(len(triangles)) for _ in range(3))
-    largest = integrate_pieces(
-        0,
-        len(triangles),
+    values = room_for_values(len(triangles))
+    overlay = Overlay(
         one.triangulation.nodes,
         np.zeros(count, np.uint8),
         triangles,
         first,
         second,
         1.0 / extent,
-        np.empty(0),
-        np.empty(0),
-        True,
-        unit,
-        areas,
-        means,
-        signed,
-        zero_sums(()),
+        continued=True,
     )
+    terms = terms_of(unit, (), None)
+    largest = integrate_pieces(0, len(triangles), overlay, terms, values, zero_sums(()))
     whole = math.fsum(triangle_areas(t.nodes / extent, t.triangles[other.valid]))
-    there = ~np.isnan(areas)
-    return math.fsum(areas[there] * means[there]) / whole, largest * unit
+    there = ~np.isnan(values.area)
+    return math.fsum(values.area[there] * values.mean_abs[there]) / whole, largest * unit

@@ -43,7 +43,8 @@ class LinearSurface:
 class OverlaySide(NamedTuple):
     """A `LinearSurface` in the numbers of T, for the kernels.
 
-    Those unpack it once and hand its arrays on: to take one out of a tuple costs an atomic count.
+    Those unpack it once and hand its arrays on: to take one out of a tuple costs an atomic count,
+    for each triangle of T several, which made the exact reading take a seventh longer.
     """
 
     nodes: NDArray[np.float64]

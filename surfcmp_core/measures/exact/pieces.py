@@ -1,5 +1,7 @@
 """The pass over the pieces of the overlay of T1, T2 and T on which d is linear."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,6 +26,8 @@ from surfcmp_core.measures.totals import (
     AREA,
     WITHIN_1,
     WITHIN_2,
+    Terms,
+    TriangleValues,
     add_piece,
     add_triangle,
 )
@@ -64,30 +68,43 @@ def _differences(
         d[k] = ((base_1 - base_2) + (rise_1 - rise_2)) * per_unit
 
 
+class Overlay(NamedTuple):
+    """What is laid over each other.
+
+    Attributes
+    ----------
+    places, label, triangles
+        Nodes and triangles of T, see `United`.
+    side_1, side_2 : OverlaySide
+        T1 and T2.
+    length : float
+        What a unit of the nodes' coordinates is in that of the areas.
+    continued : bool
+        Whether all of T counts as having data.
+    """
+
+    places: NDArray[np.float64]
+    label: NDArray[np.uint8]
+    triangles: NDArray[np.int32]
+    side_1: OverlaySide
+    side_2: OverlaySide
+    length: float
+    continued: bool
+
+
 @kernel
 def integrate_pieces(
     begin: int,
     end: int,
-    places: NDArray[np.float64],
-    label: NDArray[np.uint8],
-    triangles: NDArray[np.int32],
-    side_1: OverlaySide,
-    side_2: OverlaySide,
-    length: float,
-    tolerances: NDArray[np.float64],
-    node_weight: NDArray[np.float64],
-    continued: bool,
-    unit: float,
-    areas: NDArray[np.float64],
-    means_abs: NDArray[np.float64],
-    means_signed: NDArray[np.float64],
+    overlay: Overlay,
+    terms: Terms,
+    values: TriangleValues,
     sums: NDArray[np.float64],
 ) -> float:
-    """Fill in values and sums of triangles begin..end-1 of T; return the largest |d| there.
-
-    Nodes are in units of `length`, sums in units of `unit`; a negative one exchanges the signs.
-    Where surfaces are `continued`, all of T counts as theirs.
-    """
+    """Fill in values and sums of triangles begin..end-1 of T; return the largest |d| there."""
+    places, label, triangles, side_1, side_2, length, continued = overlay
+    unit, tolerances, node_weight = terms
+    areas, means_abs, means_signed = values
     nodes_1, start_1, twin_1, real_1 = side_1.nodes, side_1.start, side_1.twin, side_1.real
     leaving_1, own_1, found_1, valid_1 = side_1.leaving, side_1.own, side_1.found, side_1.valid
     z_1, planes_1 = side_1.z, side_1.planes
