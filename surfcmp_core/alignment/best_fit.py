@@ -75,9 +75,7 @@ def best_fit(
 
     References
     ----------
-    Chen, Medioni, Object modelling by registration of multiple range images, 1992;
-    Rusinkiewicz, Levoy, Efficient variants of the ICP algorithm, 2001 (borders rejected);
-    Beaton, Tukey, The fitting of power series, 1974 (biweight).
+    [ChenMedioni1992]; [RusinkiewiczLevoy2001] (borders rejected); [BeatonTukey1974] (biweight).
     """
     check_together(surface_1, surface_2)
     method: Method = "icp overlap" if overlap_only else "icp"

@@ -52,8 +52,7 @@ def free_motions(
 
     References
     ----------
-    Gelfand, Ikemoto, Rusinkiewicz, Levoy, Geometrically stable sampling for the ICP algorithm,
-    2003; Gelfand, Guibas, Shape segmentation using local slippage analysis, 2004.
+    [Gelfand2003]; [GelfandGuibas2004].
     """
     if len(places) == 0:
         return ()

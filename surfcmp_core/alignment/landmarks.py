@@ -46,7 +46,7 @@ def fit_landmarks(landmarks_1: ArrayLike, landmarks_2: ArrayLike) -> Alignment:
 
     References
     ----------
-    Horn, Closed-form solution of absolute orientation using unit quaternions, 1987.
+    [Horn1987].
     """
     p1 = np.asarray(landmarks_1, np.float64)
     p2 = np.asarray(landmarks_2, np.float64)

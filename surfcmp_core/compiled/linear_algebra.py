@@ -173,7 +173,7 @@ def eigen(symmetric: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
 
     References
     ----------
-    Jacobi 1846; Rutishauser, The Jacobi method for real symmetric matrices, 1966.
+    [Jacobi1846]; [Rutishauser1966].
     """
     matrix = np.array(symmetric, np.float64)
     vectors = np.eye(len(matrix))

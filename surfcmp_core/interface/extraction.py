@@ -151,7 +151,7 @@ def extract_chains(
 
     References
     ----------
-    Section 3.1 of the paper; Kirkpatrick 1979; Mestetskiy and Tsarik 2004.
+    Section 3.1 of the paper; [Kirkpatrick1979]; [MestetskiyTsarik2004].
     """
     room = 8 * len(joined.nodes) if record else 0
     while True:

@@ -126,7 +126,7 @@ def _ears(
 ) -> NDArray[np.int64] | None:
     """Triangles of one polygon seen along an axis, as corners of it; None where it crosses itself.
 
-    Held & al., FIST, 2001, as the library cuts them; their areas tell whether they cover it once.
+    [Held2001], as the library cuts them; their areas tell whether they cover it once.
     """
     from mapbox_earcut import triangulate_float64
 

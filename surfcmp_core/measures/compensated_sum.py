@@ -11,7 +11,7 @@ def add(sums: NDArray[np.float64], i: int, term: float) -> None:
     """Add a term to a sum kept in two parts, what rounding drops in the second.
 
     The sum of the two parts of n terms is off by about n u² times the sum of the |terms|,
-    u = 2⁻⁵³ (Ogita, Rump, Oishi 2005, Sum2): rounded to one number it is the same in every order,
+    u = 2⁻⁵³ (Sum2 of [OgitaRumpOishi2005]): rounded to one number it is the same in every order,
     but for one case in millions of millions.
 
     Parameters

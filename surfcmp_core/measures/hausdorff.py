@@ -80,7 +80,7 @@ def _look_up(
     """Replace the bounds of a batch by the distances, until about `most` nodes have been met.
 
     The nodes of 2 within a disc in the plane are connected by edges of their Delaunay triangulation
-    (any disc, Dobkin, Friedman and Supowit 1990), so a flood from the nearest node known so far
+    (any disc, [DobkinFriedmanSupowit1990]), so a flood from the nearest node known so far
     meets all that can be nearer.
 
     Returns
@@ -180,8 +180,8 @@ def hausdorff(
     the largest bounds are looked up first; those whose bound is below the largest distance found
     need none. They are looked up in the triangulation around them while that is cheap, that is
     where the surfaces are not much farther from each other than their nodes, then in a k-d tree;
-    what is nearest to them bounds the distance of the nodes around (early break of Taha and
-    Hanbury 2015).
+    what is nearest to them bounds the distance of the nodes around (early break of
+    [TahaHanbury2015]).
 
     Parameters
     ----------

@@ -1,9 +1,14 @@
 """Closed forms over one triangle on which the difference d is linear.
 
-Every value here is a mean over the triangle: times its area it is the integral. A triangle where d
-changes sign is split along d = 0 into a small triangle at the node that stands alone with its sign
-and a quadrangle; each is summed from terms of one sign, so nothing cancels. All results depend
-neither on which node comes first nor, but for the sign of `mean`, on the sign of d, bit for bit.
+Every value here is a mean over the triangle T: times its area it is the integral. Of products of
+barycentric coordinates it is [EisenbergMalvern1973]
+
+    1/|T| ∫ λ₁^i λ₂^j λ₃^k dA = 2 i! j! k! / (i + j + k + 2)!
+
+A triangle where d changes sign is split along d = 0 into a small triangle at the node that stands
+alone with its sign and a quadrangle; each is summed from terms of one sign, so nothing cancels. All
+results depend neither on which node comes first nor, but for the sign of `mean`, on the sign of d,
+bit for bit.
 """
 
 from surfcmp_core.compiled.kernel import kernel
@@ -28,13 +33,19 @@ def ordered(a: float, b: float, c: float) -> tuple[float, float, float]:
 
 @kernel
 def mean(lo: float, mid: float, hi: float) -> float:
-    """Mean of d; exactly c where d = c."""
+    """1/|T| ∫ d dA = (lo + mid + hi) / 3; exactly c where d = c."""
     return mid + ((lo - mid) + (hi - mid)) / 3.0
 
 
 @kernel
 def _parts(lonely: float, m: float, h: float) -> tuple[float, float]:
-    """Means of |d| on the lonely node's side and on the other, from |d| at the nodes, m ≤ h."""
+    """Integrals of |d| over |T| on the side of the lonely node and on the other.
+
+    With ℓ, m ≤ h for |d| at the nodes, d = 0 at the shares u = ℓ / (ℓ + m), v = ℓ / (ℓ + h) of the
+    edges from the lonely one, and the integrals are
+
+        u v ℓ / 3   and   ((1 − v) (m + h) + v (1 − u) m) / 3
+    """
     v = lonely / (lonely + h)
     alone = lonely * (lonely / (lonely + m)) * v
     rest = (h / (lonely + h)) * (m + h) + v * (m / (lonely + m)) * m
@@ -43,7 +54,7 @@ def _parts(lonely: float, m: float, h: float) -> tuple[float, float]:
 
 @kernel
 def mean_parts(lo: float, mid: float, hi: float) -> tuple[float, float]:
-    """Means of the positive and of the negative part of d, both as numbers ≥ 0.
+    """1/|T| ∫ max(d, 0) dA and 1/|T| ∫ max(−d, 0) dA (see `_parts`).
 
     Parameters
     ----------
@@ -53,7 +64,7 @@ def mean_parts(lo: float, mid: float, hi: float) -> tuple[float, float]:
     Returns
     -------
     above, below : float
-        Means of max(d, 0) and of max(−d, 0); their sum is the mean of |d|.
+        Their sum is the mean of |d|.
     """
     if lo >= 0.0:
         return mean(lo, mid, hi), 0.0
@@ -68,7 +79,10 @@ def mean_parts(lo: float, mid: float, hi: float) -> tuple[float, float]:
 
 @kernel
 def mean_square(lo: float, mid: float, hi: float) -> float:
-    """Mean of d²: the square of the mean and the spread about it; exactly c² where d = c."""
+    """1/|T| ∫ d² dA = m² + ((lo − m)² + (mid − m)² + (hi − m)²) / 12 with m the mean of d.
+
+    Exactly c² where d = c.
+    """
     m = mean(lo, mid, hi)
     low = lo - m
     middle = mid - m
@@ -94,8 +108,12 @@ def share_within(lo: float, mid: float, hi: float, tolerance: float) -> float:
 
     Notes
     -----
-    The area over which d < s grows with a slope that rises linearly from lo to mid and falls
-    linearly from mid to hi; the share is the area under these two lines within ±tolerance.
+    F(s), the share over which d < s, has as its slope a linear B-spline [CurrySchoenberg1966]:
+
+        F′(s) = 2 (s − lo) / ((hi − lo) (mid − lo))    lo ≤ s ≤ mid
+        F′(s) = 2 (hi − s) / ((hi − lo) (hi − mid))    mid ≤ s ≤ hi
+
+    and the result is F(tolerance) − F(−tolerance).
     """
     if -lo <= tolerance and hi <= tolerance:
         return 1.0
@@ -127,7 +145,7 @@ def _precedes(a: float, p: float, b: float, q: float) -> bool:
 
 @kernel
 def mean_abs_weighted(a: float, b: float, c: float, p: float, q: float, r: float) -> float:
-    """Mean of |d| µ where µ is linear too.
+    """1/|T| ∫ |d| µ dA where µ is linear too.
 
     Parameters
     ----------
@@ -135,6 +153,19 @@ def mean_abs_weighted(a: float, b: float, c: float, p: float, q: float, r: float
         d at the nodes, in any order.
     p, q, r : float
         µ at the same nodes.
+
+    Notes
+    -----
+    Where d has one sign,
+
+        |a p + b q + c r + (a + b + c) (p + q + r)| / 12
+
+    Else, with ℓ, m, h, u, v as in `_parts`, a the lonely one, and µ = µᵤ = (1 − u) p + u q and
+    µ = µᵥ = (1 − v) p + v r where d = 0,
+
+        ( u v ℓ (2 p + µᵤ + µᵥ)
+          + (1 − v) (m q + h r + (m + h) (q + r + µᵥ))
+          + v (1 − u) m (2 q + µᵤ + µᵥ) ) / 12
     """
     if (a >= 0.0 and b >= 0.0 and c >= 0.0) or (a <= 0.0 and b <= 0.0 and c <= 0.0):
         return abs(_sum(a * p, b * q, c * r) + _sum(a, b, c) * _sum(p, q, r)) / 12.0

@@ -1,4 +1,4 @@
-"""Exact arithmetic on floating-point expansions (Shewchuk 1997).
+"""Exact arithmetic on floating-point expansions [Shewchuk1997].
 
 An expansion is an array of float64 whose exact sum is the number: components do not overlap, grow
 in magnitude, and none is zero but in the expansion of zero itself, ``[0.0]``. Exact while no

@@ -52,7 +52,7 @@ def in_circle(
 
     References
     ----------
-    Shewchuk 1997; the filter is his first stage.
+    [Shewchuk1997]; the filter is his first stage.
     """
     adx = ax - px
     ady = ay - py
@@ -134,8 +134,7 @@ def in_disc(
 
     References
     ----------
-    Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
-    2011.
+    [DevillersTeillaud2011].
     """
     side = in_circle(ax, ay, bx, by, cx, cy, px, py)
     if side != 0.0:

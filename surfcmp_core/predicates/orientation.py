@@ -23,8 +23,7 @@ def orientation(ax: float, ay: float, bx: float, by: float, cx: float, cy: float
 
     References
     ----------
-    Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-    1997; the filter is his first stage.
+    [Shewchuk1997]; the filter is his first stage.
     """
     left = (ax - cx) * (by - cy)
     right = (ay - cy) * (bx - cx)

@@ -14,7 +14,7 @@ CLEAR = 2.0**-4
 """Share of the two products above which their plain difference is right but for its last bits."""
 _TAILS_DO = 2.0**-50
 """Share of them above which all terms of first order do: what they leave out is below 9 · 2⁻¹⁰⁶ of
-the products (the third stage of Shewchuk's orientation)."""
+the products (the third stage of the orientation of [Shewchuk1997])."""
 
 
 @kernel
@@ -35,8 +35,7 @@ def difference_of_products(
 
     References
     ----------
-    Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates,
-    1997.
+    [Shewchuk1997].
     """
     p, p_tail = two_sum(p0, -p1)
     q, q_tail = two_sum(q0, -q1)

@@ -244,8 +244,7 @@ def spanning_tree(triangulation: Triangulation) -> NDArray[np.int32]:
 
     References
     ----------
-    Borůvka 1926; with clean-up linear for planar graphs (Cheriton and Tarjan 1976, the paper's
-    [15]).
+    [Boruvka1926]; with clean-up linear for planar graphs ([CheritonTarjan1976], the paper's [15]).
     """
     longest = np.zeros(len(triangulation.start), np.bool_)
     _mark_longest(triangulation, longest)

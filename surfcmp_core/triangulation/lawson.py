@@ -173,7 +173,7 @@ def make_delaunay(
 
     References
     ----------
-    Lawson 1977. Linear where all but a bounded share of the edges is Delaunay already.
+    [Lawson1977]. Linear where all but a bounded share of the edges is Delaunay already.
     """
     flips = 0
     stack = np.empty(64, np.int32)

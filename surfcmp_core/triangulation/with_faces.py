@@ -151,7 +151,7 @@ def _clear(
     pairs: NDArray[np.int32],
     count: int,
 ) -> bool:
-    """Flip edges out of the way from v to the target (Sloan 1993); exact, so it ends."""
+    """Flip edges out of the way from v to the target [Sloan1993]; exact, so it ends."""
     nodes, start, twin, _, _ = held
     left = count
     at = 0
@@ -313,7 +313,7 @@ def with_faces(
 
     References
     ----------
-    Sloan, A fast algorithm for generating constrained Delaunay triangulations, 1993.
+    [Sloan1993].
     """
     t = triangulation
     start, twin = t.start.copy(), t.twin.copy()
