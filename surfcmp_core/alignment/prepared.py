@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from small_gicp import KdTree, PointCloud, estimate_normals_covariances
 
 from surfcmp_core.compiled.linear_algebra import length
 from surfcmp_core.errors import InputError
@@ -85,8 +86,6 @@ def side_of(
     InputError
         The region leaves too few nodes.
     """
-    from small_gicp import KdTree, PointCloud, estimate_normals_covariances
-
     may = _may_be_used(surface, region)
     places = surface.points - origin
     cloud = PointCloud(places)

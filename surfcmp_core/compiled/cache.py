@@ -1,10 +1,14 @@
 """Where numba keeps the compiled kernels."""
 
+import atexit
 import hashlib
 import os
 import shutil
+import tempfile
 import time
 from pathlib import Path
+
+from platformdirs import user_cache_path
 
 _KEPT = 30 * 24 * 3600.0
 """Seconds for which kernels of other sources are kept."""
@@ -25,8 +29,6 @@ def use_own_cache() -> None:
     """
     if "NUMBA_CACHE_DIR" in os.environ:
         return
-    from platformdirs import user_cache_path
-
     kernels = user_cache_path("surfcmp") / "kernels"
     folder = kernels / _digest()
     try:
@@ -57,9 +59,6 @@ def _drop_old(kernels: Path) -> None:
 
 def _temporary_folder() -> str:
     """Make a folder that only this user can read and that goes with the process."""
-    import atexit
-    import tempfile
-
     folder = tempfile.mkdtemp(prefix="surfcmp-kernels-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder

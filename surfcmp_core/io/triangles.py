@@ -1,6 +1,7 @@
 """Polygons as triangles: fans where a fan covers the polygon, ears cut off where none does."""
 
 import numpy as np
+from mapbox_earcut import triangulate_float64
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
@@ -128,8 +129,6 @@ def _ears(
 
     [Held2001], as the library cuts them; their areas tell whether they cover it once.
     """
-    from mapbox_earcut import triangulate_float64
-
     from surfcmp_core.compiled.linear_algebra import dots, length
 
     if len(places) > _MOST:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.report.meanings import REASONS
 from surfcmp_core.report.record import Record
+from surfcmp_core.report.rows import rows_of
 
 
 def json_bytes(document: Record) -> bytes:
@@ -59,8 +60,6 @@ def write_csv(comparison: Comparison, _document: Record, stream: BinaryIO) -> No
 
     x, y is the centroid; `compared` is 1 or 0 and `reason` says why it is 0.
     """
-    from surfcmp_core.report.rows import rows_of
-
     united = comparison.united
     centroid = united.nodes[united.triangles].mean(axis=1)
     reals: dict[str, NDArray[np.float64]] = {

@@ -1,5 +1,6 @@
 """Where a result comes from, as rows for the pages a person reads."""
 
+import platform
 from typing import Any
 
 from surfcmp_core.alignment import FitRecord
@@ -206,7 +207,6 @@ def transform_text(document: Record) -> str:
 
 def versions() -> str:
     """Return the versions of what computed the numbers."""
-    import platform
     from importlib.metadata import version
 
     libraries = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "scipy"))

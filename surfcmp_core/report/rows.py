@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
+import orjson
 from numpy.typing import NDArray
 
 _AT_ONCE = 1 << 16
@@ -45,7 +46,5 @@ def rows_of(
 
 def _lines(columns: Sequence[NDArray[Any]]) -> list[bytes]:
     """Write the rows of a table of numbers of one kind."""
-    import orjson
-
     text = orjson.dumps(np.column_stack(columns), option=orjson.OPT_SERIALIZE_NUMPY)
     return text[2:-2].replace(b"null", b"").split(b"],[")

@@ -3,6 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
+import pythoncdt
+import triangular
 from numpy.typing import NDArray
 
 from surfcmp_core.errors import InputError
@@ -47,16 +49,13 @@ def _delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
         found = delaunay_outside(nodes)
         if found is not None:
             return found
-    from triangular import delaunay
-
-    return np.asarray(delaunay(nodes), np.int32)
+    return np.asarray(triangular.delaunay(nodes), np.int32)
 
 
 def _slow_delaunay(nodes: NDArray[np.float64]) -> NDArray[np.int32]:
-    from pythoncdt import IntersectingConstraintEdges, VertexInsertionOrder
-    from pythoncdt import Triangulation as Builder
-
-    builder = Builder(VertexInsertionOrder.AUTO, IntersectingConstraintEdges.NOT_ALLOWED, 0.0)
+    order = pythoncdt.VertexInsertionOrder.AUTO
+    crossing = pythoncdt.IntersectingConstraintEdges.NOT_ALLOWED
+    builder = pythoncdt.Triangulation(order, crossing, 0.0)
     builder.insert_vertices(nodes)
     builder.erase_super_triangle()
     return np.array([triangle.vertices for triangle in builder.triangles], np.int32)

@@ -1,5 +1,6 @@
 """The core knows no screen, and its imports run one way."""
 
+import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -70,6 +71,28 @@ def test_imports_run_with_the_stream(path: Path) -> None:
 def test_the_picture_of_the_parts_is_as_the_imports_are() -> None:
     page = PAGE.read_text(encoding="utf-8")
     assert page == drawn(page), "python -m tests.parts draws it anew"
+
+
+PUT_OFF = {"importlib", "laspy", "matplotlib", "numba", "psutil", "resource", "scipy"}
+PUT_OFF |= {"surfcmp_core.compiled"}
+"""What only a function that needs it imports: it takes long, or is not there on every system."""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [path for path in MODULES if path.relative_to(CORE).parts[0] not in {"cli", "comparing"}],
+    ids=lambda p: str(p.relative_to(CORE)),
+)
+def test_functions_import_only_what_takes_long(path: Path) -> None:
+    for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(function, ast.FunctionDef):
+            for node in ast.walk(function):
+                names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+                if isinstance(node, ast.ImportFrom):
+                    names = [node.module or ""]
+                for name in names:
+                    start = ".".join(name.split(".")[: 2 if name.startswith("surfcmp") else 1])
+                    assert start in PUT_OFF, f"{function.name} imports {name}"
 
 
 def test_comparing_loads_no_screen(tmp_path: Path) -> None:
