@@ -1,5 +1,7 @@
 """`surfcmp batch PATHS...`: all pairs of some files."""
 
+import csv
+import io
 import json
 import os
 import time
@@ -8,13 +10,19 @@ from pathlib import Path
 from typing import Annotated, Any, BinaryIO
 
 import typer
+from rich.table import Table
+from rich.text import Text
 
 from surfcmp_core.cli.bar import progress_bar
 from surfcmp_core.cli.ends import WrongUsage, ending
 from surfcmp_core.cli.shared_options import QuietOption, comparing, files_of
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, complain
+from surfcmp_core.cli.table import console
 from surfcmp_core.comparing.options import Options
+from surfcmp_core.comparing.request import compare_surfaces
 from surfcmp_core.errors import InputError, Violation
+from surfcmp_core.io import read_surface
+from surfcmp_core.io.read import READERS
 from surfcmp_core.names import one_line
 from surfcmp_core.report import OutputError, check_outputs
 from surfcmp_core.report.meanings import MEANINGS
@@ -63,8 +71,6 @@ def command(
 
 def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
     """Name the files, and in folders those that can be read; but no hidden ones, nor results."""
-    from surfcmp_core.io.read import READERS
-
     results = {os.path.realpath(path) for path in leave_out}
     files: list[Path] = []
     for path in paths:
@@ -90,9 +96,6 @@ def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
 
 def _all_pairs(files: list[Path], options: Options, progress: Progress) -> list[Record]:
     """Compare each file with every later one; what fails is told once and kept as an error."""
-    from surfcmp_core.comparing.request import compare_surfaces
-    from surfcmp_core.io import read_surface
-
     surfaces: dict[Path, Surface] = {}
     faults: dict[Path, str] = {}
     told: set[str] = set()
@@ -141,8 +144,6 @@ def _writer(path: Path, done: list[Record]) -> Any:
         stream.write(text.encode() + b"\n")
 
     def write_csv(stream: BinaryIO) -> None:
-        import csv
-        import io
 
         text = io.TextIOWrapper(stream, encoding="utf-8", newline="")
         keys = [one.key for one in MEANINGS if one.key != "within_tolerance"]
@@ -169,10 +170,6 @@ def _writer(path: Path, done: list[Record]) -> Any:
 
 
 def _show(done: list[Record]) -> None:
-    from rich.table import Table
-    from rich.text import Text
-
-    from surfcmp_core.cli.table import console
 
     powers = {one.key: one.power for one in MEANINGS}
     rows = Table(box=None, pad_edge=False, header_style="bold", padding=(0, 2, 0, 0))

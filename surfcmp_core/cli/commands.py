@@ -3,34 +3,49 @@
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from io import TextIOWrapper
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, override
 
 import typer
+from typer.core import TyperGroup
 
-from surfcmp_core.cli import batch, compare, info, thin
+import surfcmp_core
+from surfcmp_core.cli.main import NAMES
 from surfcmp_core.cli.statuses import INTERRUPTED
 from surfcmp_core.cli.stopping import stopping_soon
 
+
+class _Commands(TyperGroup):
+    """Loads a command only when it is asked for: `info` needs no kernels, `--version` nothing."""
+
+    @override
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(NAMES)
+
+    @override
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name not in NAMES:
+            return None
+        one = typer.Typer(add_completion=False)
+        one.command(cmd_name)(import_module(f"surfcmp_core.cli.{cmd_name}").command)
+        return typer.main.get_command(one)
+
+
 commands = typer.Typer(
     name="surfcmp",
+    cls=_Commands,
     add_completion=False,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
     epilog="Without a command: surfcmp [A [B]] opens the window.",
     help="Compare two surfaces z = F(x, y) given on unstructured grids of different density.",
 )
-commands.command("compare")(compare.command)
-commands.command("batch")(batch.command)
-commands.command("info")(info.command)
-commands.command("thin")(thin.command)
 
 
 def _version(asked: bool) -> None:
     if asked:
-        import surfcmp_core
-
         typer.echo(f"surfcmp {surfcmp_core.__version__}")
         raise typer.Exit
 

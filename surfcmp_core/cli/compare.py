@@ -10,6 +10,7 @@ from surfcmp_core.cli.bar import progress_bar
 from surfcmp_core.cli.ends import WrongUsage, ending
 from surfcmp_core.cli.shared_options import JsonOption, QuietOption, comparing, files_of
 from surfcmp_core.comparing.options import Options
+from surfcmp_core.comparing.request import compare_files
 from surfcmp_core.report import OutputError, check_outputs, make_record, write_outputs
 from surfcmp_core.report.data_files import json_bytes
 
@@ -41,7 +42,6 @@ def command(
         check_outputs(results, [a, b, *files_of(options)])
     except OutputError as fault:
         raise WrongUsage(f"--out {fault}") from None
-    from surfcmp_core.comparing.request import compare_files
 
     with progress_bar(quiet) as progress:
         comparison = compare_files(a, b, options, progress)

@@ -4,10 +4,15 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from rich.text import Text
 
 from surfcmp_core.cli.ends import ending
 from surfcmp_core.cli.shared_options import NoDataOption, UnitOption
-from surfcmp_core.io import Facts
+from surfcmp_core.cli.sight import data_rows, sight_rows
+from surfcmp_core.cli.table import columns, console
+from surfcmp_core.domain.layers import MIXED
+from surfcmp_core.io import Facts, facts_of, read_surface
+from surfcmp_core.names import one_line
 from surfcmp_core.report.numbers import figure, thousands
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_default=False)]
@@ -19,13 +24,6 @@ _LONGEST = 60
 @ending
 def command(file: File, unit: UnitOption = None, no_data: NoDataOption = None) -> None:
     """Say what a file holds: nodes, triangles, extents, what is seen of it, where it has data."""
-    from rich.text import Text
-
-    from surfcmp_core.cli.sight import data_rows, sight_rows
-    from surfcmp_core.cli.table import columns, console
-    from surfcmp_core.io import facts_of, read_surface
-    from surfcmp_core.names import one_line
-
     surface = read_surface(file, unit=unit, no_data=no_data or ())
     with_data, among_layers = data_rows(surface)
     rows = columns("", "")
@@ -72,7 +70,6 @@ def fact_rows(facts: Facts, among_layers: float) -> list[tuple[str, str]]:
 
 
 def _one_valued(facts: Facts, among_layers: float) -> str:
-    from surfcmp_core.domain.layers import MIXED
 
     if facts.one_valued and among_layers <= MIXED:
         return "yes, seen along z"

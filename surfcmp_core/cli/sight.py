@@ -1,6 +1,9 @@
 """What a comparison would take of one file: the part that is seen, the places with data."""
 
+from surfcmp_core.comparing.cloud_data import data_of_cloud
 from surfcmp_core.errors import InputError
+from surfcmp_core.projection.placement import look_at
+from surfcmp_core.projection.winding import TURNED
 from surfcmp_core.report.numbers import figure, thousands, towards
 from surfcmp_core.surface import Surface
 
@@ -9,9 +12,6 @@ Rows = list[tuple[str, str]]
 
 def sight_rows(surface: Surface) -> Rows:
     """Return what `--project auto` would keep of one surface, and what not for which reason."""
-    from surfcmp_core.projection.placement import look_at
-    from surfcmp_core.projection.winding import TURNED
-
     try:
         sight = look_at(surface)
     except InputError as fault:
@@ -40,7 +40,6 @@ def data_rows(surface: Surface) -> tuple[Rows, float]:
     """
     if surface.faces is not None:
         return [], 0.0
-    from surfcmp_core.comparing.cloud_data import data_of_cloud
 
     try:
         data = data_of_cloud(surface)

@@ -1,7 +1,11 @@
 """Tables on standard output, for people."""
 
 import sys
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
 
 from surfcmp_core.report.meanings import NOTES, lines
 from surfcmp_core.report.numbers import with_unit
@@ -14,18 +18,12 @@ from surfcmp_core.report.provenance import (
 )
 from surfcmp_core.report.record import Record
 
-if TYPE_CHECKING:
-    from rich.console import Console
-    from rich.table import Table
-
 _WIDTH = 100
 """Columns, where no terminal says how wide it is."""
 
 
 def show(document: Record) -> None:
     """Print the measures, counts and warnings of a comparison."""
-    from rich.text import Text
-
     unit = document["options"]["unit"]
     first, second = (base_name(one["file"]) for one in document["inputs"])
     out = console()
@@ -68,17 +66,13 @@ def show(document: Record) -> None:
         out.print(Text.assemble(("warning: ", "bold yellow"), warning))
 
 
-def console() -> "Console":
+def console() -> Console:
     """Return standard output, as wide as its terminal."""
-    from rich.console import Console
-
     return Console(width=None if sys.stdout.isatty() else _WIDTH, highlight=False, markup=False)
 
 
-def columns(*justified: str) -> "Table":
+def columns(*justified: str) -> Table:
     """Return a table without lines, its columns justified as said ("" for left)."""
-    from rich.table import Table
-
     table = Table(box=None, pad_edge=False, show_header=False, padding=(0, 2, 0, 0))
     for place, justify in enumerate(justified):
         last = place == len(justified) - 1

@@ -7,6 +7,12 @@ import typer
 
 from surfcmp_core.cli.ends import WrongUsage, ending
 from surfcmp_core.cli.shared_options import NoDataOption, QuietOption, UnitOption
+from surfcmp_core.grid.thinning import thin_random, thin_to_spacing
+from surfcmp_core.io import read_surface
+from surfcmp_core.io.clouds import CLOUD_WRITERS
+from surfcmp_core.report.outputs import check_outputs
+from surfcmp_core.surface.used import without_unused
+from surfcmp_core.system.whole_files import OutputError, write_all
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="A surface.", show_default=False)]
 OutOption = Annotated[
@@ -36,13 +42,6 @@ def command(
     quiet: QuietOption = False,
 ) -> None:
     """Keep some nodes of a surface, for experiments: a cloud."""
-    from surfcmp_core.grid.thinning import thin_random, thin_to_spacing
-    from surfcmp_core.io import read_surface
-    from surfcmp_core.io.clouds import CLOUD_WRITERS
-    from surfcmp_core.report.outputs import check_outputs
-    from surfcmp_core.surface.used import without_unused
-    from surfcmp_core.system.whole_files import OutputError, write_all
-
     if (keep is None) == (spacing is None):
         raise WrongUsage("thin: one of --keep and --spacing is needed")
     if keep is not None and not 0.0 < keep <= 1.0:

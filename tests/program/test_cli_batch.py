@@ -57,7 +57,7 @@ def test_batch_reads_each_file_once_and_can_be_repeated(
 
     taken: list[str] = []
     read_surface = surfcmp_core.read_surface
-    monkeypatch.setattr("surfcmp_core.io.read_surface", counted)
+    monkeypatch.setattr("surfcmp_core.cli.batch.read_surface", counted)
     (tmp_path / "three.xyz").write_text("0 0 0\n4 0 0\n4 4 0\n0 4 0\n")
     (tmp_path / "bad.ply").write_text("nothing")
     (tmp_path / "._one.xyz").write_text("what another system leaves")
@@ -90,7 +90,7 @@ def test_a_pair_without_memory_does_not_stop_the_others(
         return compare_surfaces(first, second, *rest)
 
     compare_surfaces = request.compare_surfaces
-    monkeypatch.setattr(request, "compare_surfaces", compared)
+    monkeypatch.setattr("surfcmp_core.cli.batch.compare_surfaces", compared)
     third = tmp_path / "three.xyz"
     third.write_text(Path(pair[0]).read_text())
     assert main(["batch", *pair, str(third)]) == 3

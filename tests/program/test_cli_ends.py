@@ -205,7 +205,7 @@ def test_a_fault_of_the_program_is_one_line(
     def faulty(*_: object) -> None:
         raise ValueError("first\nsecond")
 
-    monkeypatch.setattr("surfcmp_core.comparing.request.compare_files", faulty)
+    monkeypatch.setattr("surfcmp_core.cli.compare.compare_files", faulty)
     assert main(["compare", *pair]) == 3
     (line,) = lines(capsys)
     assert line.startswith("surfcmp: internal error, please report it: ValueError: first")
