@@ -252,7 +252,7 @@ class MainWindow(QMainWindow):
 
 def _view_of_both(panel: SuperimpositionPanel) -> "SceneView":
     """Make the view of both scans; what it needs is loaded only now."""
-    from app.views.superimposition import SuperimpositionView
+    from app.views.both_scans import SuperimpositionView
 
     return SuperimpositionView(panel)
 

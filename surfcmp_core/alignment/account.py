@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.alignment.free_motions import free_motions
-from surfcmp_core.alignment.prepared import Side
+from surfcmp_core.alignment.prepared import Prepared
 from surfcmp_core.compiled.linear_algebra import dots, length, turned
 
 _LOOKED_AT = 5_000
@@ -39,12 +39,12 @@ class _Paired:
     partners: NDArray[np.float64]
 
 
-def account_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> Account:
+def account_of(sides: tuple[Prepared, Prepared], motion: NDArray[np.float64]) -> Account:
     """Look at a pose from both surfaces.
 
     Parameters
     ----------
-    sides : two Side
+    sides : two Prepared
     motion : (4, 4) float64
         Of surface 2, in the coordinates of the sides: from where it started.
 
@@ -76,12 +76,14 @@ def account_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> Account
     )
 
 
-def agreement_of(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> float:
+def agreement_of(sides: tuple[Prepared, Prepared], motion: NDArray[np.float64]) -> float:
     """Give the `agreement` of a pose alone."""
     return min(_agreement(way) for way in _both_ways(sides, motion))
 
 
-def _both_ways(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> tuple[_Paired, _Paired]:
+def _both_ways(
+    sides: tuple[Prepared, Prepared], motion: NDArray[np.float64]
+) -> tuple[_Paired, _Paired]:
     first, second = sides
     back = motion[:3, :3].T
     return (
@@ -90,13 +92,13 @@ def _both_ways(sides: tuple[Side, Side], motion: NDArray[np.float64]) -> tuple[_
     )
 
 
-def _chosen(side: Side) -> NDArray[np.intp]:
+def _chosen(side: Prepared) -> NDArray[np.intp]:
     may = np.flatnonzero(side.may)
     return may[:: -(-len(may) // _LOOKED_AT)]
 
 
 def _paired(
-    moving: Side, fixed: Side, rotation: NDArray[np.float64], shift: NDArray[np.float64]
+    moving: Prepared, fixed: Prepared, rotation: NDArray[np.float64], shift: NDArray[np.float64]
 ) -> _Paired:
     nodes = _chosen(moving)
     at = turned(moving.places[nodes], rotation) + shift
@@ -136,7 +138,7 @@ def _square_sines(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArr
     return np.maximum(1.0 - cosine * cosine, 0.0)
 
 
-def _unevenness(side: Side) -> float:
+def _unevenness(side: Prepared) -> float:
     """Give the mean squared sine between a node's normal and those around it."""
     nodes = _chosen(side)
     around = np.asarray(side.tree.batch_knn_search(side.places[nodes], _AROUND + 1)[0], np.intp)

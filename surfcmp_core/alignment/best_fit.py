@@ -11,7 +11,7 @@ from surfcmp_core.alignment.closest_points import Found, closest_points
 from surfcmp_core.alignment.doubts import UNSURE, doubts_of
 from surfcmp_core.alignment.fit import Alignment, Method
 from surfcmp_core.alignment.other_poses import better_pose
-from surfcmp_core.alignment.prepared import Side, side_of, used_of
+from surfcmp_core.alignment.prepared import Prepared, prepared, used_of
 from surfcmp_core.compiled.linear_algebra import composed, dots, inverse
 from surfcmp_core.errors import InputError
 from surfcmp_core.projection.frame import moved
@@ -87,7 +87,7 @@ def best_fit(
     surface_2, region_2 = used_of(surface_2, region_2)
     placed = surface_2 if start is None else moved(surface_2, motion_of(start, "start"))
     origin = (surface_1.points.mean(axis=0) + placed.points.mean(axis=0)) / 2.0
-    sides = side_of(surface_1, region_1, origin), side_of(placed, region_2, origin)
+    sides = prepared(surface_1, region_1, origin), prepared(placed, region_2, origin)
 
     for side in sides:
         if not side.extent > 0.0:
@@ -140,7 +140,7 @@ def best_fit(
 
 
 def _fit(
-    sides: tuple[Side, Side],
+    sides: tuple[Prepared, Prepared],
     first_moves: bool,
     motion: NDArray[np.float64],
     beside: float | None,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.alignment.prepared import FEWEST, Side
+from surfcmp_core.alignment.prepared import FEWEST, Prepared
 from surfcmp_core.compiled.linear_algebra import (
     applied,
     composed,
@@ -46,8 +46,8 @@ class Found:
 
 
 def closest_points(
-    fixed: Side,
-    moving: Side,
+    fixed: Prepared,
+    moving: Prepared,
     motion: NDArray[np.float64],
     beside: float | None,
     near: float,
@@ -60,7 +60,7 @@ def closest_points(
 
     Parameters
     ----------
-    fixed, moving : Side
+    fixed, moving : Prepared
     motion : (4, 4) float64
         Where to start from.
     beside : float or None

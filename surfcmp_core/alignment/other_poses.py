@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from surfcmp_core.alignment.account import agreement_of
 from surfcmp_core.alignment.closest_points import closest_points
-from surfcmp_core.alignment.prepared import Side
+from surfcmp_core.alignment.prepared import Prepared
 from surfcmp_core.compiled.linear_algebra import applied, composed, eigen, moments
 from surfcmp_core.errors import InputError
 from surfcmp_core.system.progress import silent
@@ -30,7 +30,7 @@ class Better:
 
 
 def better_pose(
-    sides: tuple[Side, Side], motion: NDArray[np.float64], residual: float, agreement: float
+    sides: tuple[Prepared, Prepared], motion: NDArray[np.float64], residual: float, agreement: float
 ) -> Better | None:
     """Try poses turned by half about each main axis: a face upside down settles as well.
 
@@ -38,7 +38,7 @@ def better_pose(
 
     Parameters
     ----------
-    sides : two Side
+    sides : two Prepared
     motion : (4, 4) float64
         The pose found, of surface 2.
     residual, agreement : float

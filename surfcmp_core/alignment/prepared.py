@@ -21,7 +21,7 @@ _MOVING = 100_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Side:
+class Prepared:
     """A surface's nodes, their tangent planes, and which of them may be used.
 
     Attributes
@@ -63,9 +63,9 @@ class Side:
         return np.asarray(self.tree.batch_nearest_neighbor_search(places)[0], np.intp)
 
 
-def side_of(
+def prepared(
     surface: Surface, region: NDArray[np.bool_] | None, origin: NDArray[np.float64]
-) -> Side:
+) -> Prepared:
     """Make a surface ready.
 
     Parameters
@@ -79,7 +79,7 @@ def side_of(
 
     Returns
     -------
-    Side
+    Prepared
 
     Raises
     ------
@@ -93,7 +93,7 @@ def side_of(
     estimate_normals_covariances(cloud, tree, num_neighbors=_NEIGHBOURS)
     squares = np.asarray(tree.batch_knn_search(places, 4)[1])[:, 1:]
     moving = places[may]
-    return Side(
+    return Prepared(
         surface.name,
         places,
         cloud.normals()[:, :3],

@@ -18,7 +18,7 @@ from surfcmp_core.cli.stopping import stopping_soon
 
 
 class _Commands(TyperGroup):
-    """Loads a command only when it is asked for: `info` needs no kernels, `--version` nothing."""
+    """Loads a command only when it is asked for: `--version` needs none of them."""
 
     @override
     def list_commands(self, ctx: Any) -> list[str]:

@@ -59,12 +59,12 @@ class LengthUnits:
 
 
 @dataclass(slots=True)
-class _Element:
+class _Node:
     """``KEYWORD["name", number, ELEMENT[...], ...]``."""
 
     word: str
     values: list[str | float] = field(default_factory=list)
-    parts: list["_Element"] = field(default_factory=list)
+    parts: list["_Node"] = field(default_factory=list)
 
 
 def units_of_wkt(text: str) -> LengthUnits:
@@ -130,7 +130,7 @@ def units_of_keys(keys: Mapping[int, int], doubles: Mapping[int, float]) -> Leng
     return found
 
 
-def _add_units(system: _Element, found: LengthUnits) -> None:
+def _add_units(system: _Node, found: LengthUnits) -> None:
     """Take over the units of one system: its own, or each axis's."""
     for part in system.parts:
         axis = part.word == "AXIS"
@@ -151,11 +151,11 @@ def _add_units(system: _Element, found: LengthUnits) -> None:
                 setattr(found, which, name)
 
 
-def _is_length(unit: _Element) -> bool:
+def _is_length(unit: _Node) -> bool:
     return unit.word == "LENGTHUNIT" or unit_named(str((unit.values or [""])[0])) is not None
 
 
-def _unit_of(unit: _Element) -> str | None:
+def _unit_of(unit: _Node) -> str | None:
     """Name a unit by its size in metres; None where its name says another."""
     label = next((value for value in unit.values if isinstance(value, str)), "")
     size = next((value for value in unit.values if isinstance(value, float)), None)
@@ -173,14 +173,14 @@ def _unit_of_size(metres: float) -> str | None:
     return None
 
 
-def _said(unit: _Element) -> str:
+def _said(unit: _Node) -> str:
     return " ".join(str(value)[:40] for value in unit.values[:2])
 
 
-def _parsed(text: str) -> list[_Element]:
+def _parsed(text: str) -> list[_Node]:
     """Read WKT; ValueError where it is not well-formed."""
-    roots: list[_Element] = []
-    open_ones = [_Element("", parts=roots)]
+    roots: list[_Node] = []
+    open_ones = [_Node("", parts=roots)]
     word, at = "", 0
     text = text.strip("\0 \t\r\n")
     if len(text) > _LONGEST:
@@ -192,7 +192,7 @@ def _parsed(text: str) -> list[_Element]:
         at = token.end()
         quote, name, number, opening, closing = token.groups()
         if opening:
-            element = _Element(word.upper())
+            element = _Node(word.upper())
             open_ones[-1].parts.append(element)
             open_ones.append(element)
             word = ""

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.cells.bed import extent
-from surfcmp_core.cells.layers import Cells
+from surfcmp_core.cells.doubtful import Cells
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.projection.islands import drop_islands
 from surfcmp_core.projection.removed import Fate

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surfcmp_core.cells.bed import Bed
-from surfcmp_core.cells.layers import Cells, crowded
+from surfcmp_core.cells.doubtful import Cells, crowded
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.predicates import orientation
 from surfcmp_core.projection.backs import doubt_backs

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from surfcmp_core.cells.layers import cells_over
+from surfcmp_core.cells.doubtful import cells_over
 from surfcmp_core.compiled.kernel import kernel
 from surfcmp_core.errors import InputError
 from surfcmp_core.grid.safe_range import safe_scale

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.model.superimposition import Cut
-from app.views.superimposition import SuperimpositionView
+from app.views.both_scans import SuperimpositionView
 from app.window import MainWindow
 from tests.window.conftest import PATIENCE
 

@@ -7,7 +7,7 @@ from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
 
-from app.drawing.superimposed import SuperimposedScene
+from app.drawing.skins import SuperimposedScene
 from app.look.theme import UNIT
 from app.scene.superimposed import Superimposed
 
