@@ -16,7 +16,7 @@ pytestmark = pytest.mark.plain
 FIXTURES = sorted((Path(__file__).parent / "fixtures").glob("trial_*.json"))
 
 
-SLOW = {39, 44}
+SLOW = {39, 44, 50, 57}
 """Trials that ask for much where kernels are not compiled."""
 
 
