@@ -40,10 +40,9 @@ def _order_by_lowest_node(
         place[v + 1] += place[v]
     for t in range(triangles.shape[0]):
         a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
-        if b < a and b < c:
-            a, b, c = b, c, a
-        elif c < a and c < b:
-            a, b, c = c, a, b
+        low = min(a, b, c)  # also where a node stands twice: each row has its place
+        if a != low:
+            a, b, c = (b, c, a) if b == low else (c, a, b)
         h = 3 * place[a]
         place[a] += 1
         start[h] = a
