@@ -121,7 +121,7 @@ def open_session(path: Path, scans: Path, located: Located, progress: Progress) 
         raise _unreadable(path, error) from error
     except DAMAGES as error:
         raise InputError(
-            translate("Sessions", "{}: the session is damaged").format(path.name)
+            translate("Sessions", "the session is damaged"), where=(path.name,)
         ) from error
 
 
@@ -157,7 +157,7 @@ def _saved(path: Path, archive: zipfile.ZipFile | None) -> Saved:
         text = data.decode()
     except UnicodeDecodeError as error:
         raise InputError(
-            translate("Sessions", "{}: not a session of this program").format(path.name)
+            translate("Sessions", "not a session of this program"), where=(path.name,)
         ) from error
     return from_text(text, path.parent.absolute(), path.name)
 
@@ -191,7 +191,7 @@ def _write_archive(
                 source = scan.open("rb")
             except FileNotFoundError as error:
                 raise InputError(
-                    translate("Sessions", "{}: is not there any longer").format(scan.name)
+                    translate("Sessions", "is not there any longer"), where=(scan.name,)
                 ) from error
             except OSError as error:
                 raise _unreadable(scan, error) from error
@@ -199,9 +199,8 @@ def _write_archive(
                 now = _copy(source, target, progress)
             if now != sha:
                 raise InputError(
-                    translate(
-                        "Sessions", "{}: has changed since it was read; open it again"
-                    ).format(scan.name)
+                    translate("Sessions", "has changed since it was read; open it again"),
+                    where=(scan.name,),
                 )
 
 
@@ -242,5 +241,5 @@ def _sha256(path: Path, progress: Progress) -> str:
 
 
 def _unreadable(path: Path, error: OSError) -> InputError:
-    text = translate("Sessions", "{}: cannot be read ({})")
-    return InputError(text.format(path.name, error.strerror or error))
+    text = translate("Sessions", "cannot be read ({})")
+    return InputError(text.format(error.strerror or error), where=(path.name,))

@@ -130,7 +130,7 @@ def from_text(text: str, folder: Path, name: str) -> Saved:
         state = read(ViewState, data["view"])
         return Saved(document, state, (one, two), _eye(data.get("camera")))
     except FAULTS as error:
-        raise InputError(f"{name}: not a session of this program ({error})") from error
+        raise InputError(f"not a session of this program ({error})", where=(name,)) from error
 
 
 def regions_text(regions: tuple[Region, ...]) -> str:
@@ -149,7 +149,7 @@ def regions_from(text: str, name: str) -> tuple[Region, ...]:
     try:
         return tuple(_region(region) for region in json.loads(text))
     except FAULTS as error:
-        raise InputError(f"{name}: no regions ({error})") from error
+        raise InputError(f"no regions ({error})", where=(name,)) from error
 
 
 def write(path: Path, text: str) -> None:

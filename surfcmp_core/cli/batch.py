@@ -80,7 +80,7 @@ def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
         try:
             inside = sorted(path.iterdir())
         except OSError as fault:
-            raise InputError(f"{path}: cannot be read: {fault.strerror}") from None
+            raise InputError(f"cannot be read: {fault.strerror}", where=(str(path),)) from None
         files += [
             one
             for one in inside
@@ -97,18 +97,18 @@ def _files(paths: list[Path], leave_out: list[Path]) -> list[Path]:
 def _all_pairs(files: list[Path], options: Options, progress: Progress) -> list[Record]:
     """Compare each file with every later one; what fails is told once and kept as an error."""
     surfaces: dict[Path, Surface] = {}
-    faults: dict[Path, str] = {}
+    faults: dict[Path, InputError] = {}
     told: set[str] = set()
 
     def surface_of(path: Path) -> Surface:
         """Read a file, a bad one only once."""
         if path in faults:
-            raise InputError(faults[path])
+            raise faults[path]
         if path not in surfaces:
             try:
                 surfaces[path] = read_surface(path, unit=options.unit, no_data=options.no_data)
             except InputError as fault:
-                faults[path] = str(fault)
+                faults[path] = fault
                 raise
         return surfaces[path]
 
