@@ -29,7 +29,7 @@ class Captions(QObject):
             return
         bar = colour_bar(content.comparison, state)
         for view, frame in enumerate(self._frames):
-            swatches = legend(content.counts, state, view)
+            swatches = legend(content, state, view)
             frame.explain(bar if view == 3 else None, unit, self.tr("no data"), swatches)
 
     def _show(self) -> None:

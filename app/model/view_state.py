@@ -28,6 +28,18 @@ class Heatmap(StrEnum):
         return self in {Heatmap.ABSOLUTE, Heatmap.SIGNED, Heatmap.REPRESENTATIVE}
 
 
+class ChainsBy(StrEnum):
+    """What the third view colours the chains by."""
+
+    ROLE = "role"
+    """Rings round one node quiet, longer closed chains by length, open ones strong."""
+    LENGTH = "length"
+    MEAN = "mean"
+    """Mean of |d| over a chain."""
+    ORDER = "order"
+    """In which they were found."""
+
+
 @dataclass(frozen=True, slots=True)
 class ScaleChoice:
     """What the user chose of the differences' colours.
@@ -78,6 +90,7 @@ class Kept:
     heatmap: Heatmap = Heatmap.SIGNED
     scale: ScaleChoice = ScaleChoice()
     edges: bool = True
+    chains_by: ChainsBy = ChainsBy.ROLE
     probes: tuple[Place, ...] = field(default=(), metadata=_PLACES)
     """Places whose labels stay."""
     section: tuple[float, float, float, float] | None = field(default=None, metadata=_PLACES)

@@ -7,17 +7,32 @@ from typing import TYPE_CHECKING, Any, override
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QColor, QImage
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QVBoxLayout
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QTableView,
+    QVBoxLayout,
+)
 
 from app.look.numerals import three, with_unit
+from app.look.texts import QT_TRANSLATE_NOOP
 from app.look.theme import UNIT, tabular
-from app.panels.widgets import Panel, quiet_label
+from app.model.view_state import ChainsBy
+from app.panels.widgets import ChoiceButton, Panel, quiet_label
 
 if TYPE_CHECKING:
     from app.scene.chain_table import ChainTable
+    from surfcmp_core.colours.maps import Colours
 
 Index = QModelIndex | QPersistentModelIndex
 LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+BY: dict[object, str] = {
+    ChainsBy.ROLE: QT_TRANSLATE_NOOP("ChainsPanel", "Role: rings, longer chains, open ones"),
+    ChainsBy.LENGTH: QT_TRANSLATE_NOOP("ChainsPanel", "Length"),
+    ChainsBy.MEAN: QT_TRANSLATE_NOOP("ChainsPanel", "Mean |d|"),
+    ChainsBy.ORDER: QT_TRANSLATE_NOOP("ChainsPanel", "Order in which they were found"),
+}
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -37,9 +52,15 @@ class ChainModel(QAbstractTableModel):
         """Show other chains, in their own order."""
         self.beginResetModel()
         self._table, self._unit = table, unit
-        self._colours = table.colours
         self._order = np.arange(len(table.closed))
         self.endResetModel()
+
+    def set_colours(self, colours: Colours) -> None:
+        """Show the chains' colours in the views, (C, 3)."""
+        self._colours = colours
+        rows = len(self._order)
+        if rows:
+            self.dataChanged.emit(self.index(0, 0), self.index(rows - 1, 0))
 
     def chain(self, row: int) -> int:
         """Return the number of the chain in a row."""
@@ -83,7 +104,7 @@ class ChainModel(QAbstractTableModel):
     def _tips(self) -> list[str]:
         return [
             self.tr("Number of the chain and its colour in the third view"),
-            self.tr("Closed: returns to its first triangle; open: ends at the hull"),
+            self.tr("Closed: comes back to its start; ring: round a node; open: ends at the hull"),
             self.tr("Length of the chain in triangles"),
             self.tr("Area of its compared triangles"),
             self.tr("Mean of |d| over them"),
@@ -99,7 +120,11 @@ class ChainModel(QAbstractTableModel):
             return self._text(chain, index.column())
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return LEFT if index.column() == 1 else RIGHT
-        if role == Qt.ItemDataRole.DecorationRole and index.column() == 0:
+        if (
+            role == Qt.ItemDataRole.DecorationRole
+            and index.column() == 0
+            and chain < len(self._colours)
+        ):
             swatch = QImage(10, 10, QImage.Format.Format_RGB32)
             swatch.fill(QColor(*self._colours[chain].tolist()))
             return swatch
@@ -112,6 +137,8 @@ class ChainModel(QAbstractTableModel):
             case 0:
                 return str(chain)
             case 1:
+                if table.ring[chain]:
+                    return self.tr("ring")
                 return self.tr("closed") if table.closed[chain] else self.tr("open")
             case 2:
                 return str(table.triangles[chain])
@@ -147,6 +174,8 @@ class ChainsPanel(Panel):
 
     chosen = Signal(object)
     """The number of a chain, or None."""
+    colours_asked = Signal(object)
+    """ChainsBy."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -176,11 +205,23 @@ class ChainsPanel(Panel):
         self.table.clicked.connect(self._row_changed)
         self.summary = quiet_label()
         self.summary.setWordWrap(True)
+        self.by = ChoiceButton({key: self.tr(text) for key, text in BY.items()})
+        self.by.chosen.connect(self.colours_asked)
+        row = QHBoxLayout()
+        row.setSpacing(UNIT)
+        row.addWidget(quiet_label(self.tr("Colour by")))
+        row.addWidget(self.by, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT, UNIT // 2, UNIT, UNIT)
         column.setSpacing(UNIT)
+        column.addLayout(row)
         column.addWidget(self.table, 1)
         column.addWidget(self.summary)
+
+    def show_colours(self, by: ChainsBy, colours: Colours) -> None:
+        """Show what the chains are coloured by."""
+        self.by.show_choice(by)
+        self.model.set_colours(colours)
 
     def show_chains(self, table: ChainTable, unit: str) -> None:
         """Show the chains of a comparison."""

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scene.chain_colours import chain_colours
 from app.scene.geometry import Geometry
-from surfcmp_core.colours.maps import Colours
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
@@ -25,6 +23,8 @@ class ChainTable:
     Attributes
     ----------
     closed : (C,) bool
+    ring : (C,) bool
+        Closed round one single node.
     triangles : (C,) int64
         Length: how many triangles.
     area : (C,) float64
@@ -33,15 +33,21 @@ class ChainTable:
         Area-weighted mean of |d| over them; NaN where none is compared.
     share : (C,) float64
         Its part of ∬|d| over all compared triangles.
-    colours : (C, 3) uint8
     """
 
     closed: NDArray[np.bool_]
+    ring: NDArray[np.bool_]
     triangles: NDArray[np.int64]
     area: Floats
     mean_abs: Floats
     share: Floats
-    colours: Colours
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many there are of each kind."""
+        rings = int(self.ring.sum())
+        closed = int(self.closed.sum())
+        return {"rings": rings, "longer": closed - rings, "open": len(self.closed) - closed}
 
 
 def chain_table(comparison: Comparison) -> ChainTable:
@@ -58,8 +64,28 @@ def chain_table(comparison: Comparison) -> ChainTable:
         mean_abs = volumes / area
         share = volumes / np.nansum(volume)
     triangles = np.bincount(chain[inside], minlength=count)
-    colours = chain_colours(closed)
-    return ChainTable(closed, triangles.astype(np.int64), area, mean_abs, share, colours)
+    ring = closed & _round_one_node(comparison.united.triangles[inside], chain[inside], count)
+    return ChainTable(closed, ring, triangles.astype(np.int64), area, mean_abs, share)
+
+
+def _round_one_node(
+    triangles: NDArray[np.int32], chain: NDArray[np.int32], count: int
+) -> NDArray[np.bool_]:
+    """Tell of each chain whether all its triangles have one node in common.
+
+    It would be one of the nodes of the chain's first triangle.
+    """
+    found = np.zeros(count, np.bool_)
+    if not len(triangles):
+        return found
+    numbers, first = np.unique(chain, return_index=True)
+    length = np.bincount(chain, minlength=count)
+    for corner in range(3):
+        node = np.full(count, -1, np.int32)
+        node[numbers] = triangles[first, corner]
+        has = (triangles == node[chain][:, None]).any(axis=1)
+        found |= (np.bincount(chain[has], minlength=count) == length) & (length > 0)
+    return found
 
 
 def chain_box(comparison: Comparison, geometry: Geometry, chain: int) -> tuple[Floats, Floats]:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.model.view_state import Heatmap, ViewState
-from app.scene.chain_colours import oklch
+from app.model.view_state import ChainsBy, Heatmap, ViewState
+from app.scene.chain_colours import FEW, FEW_OPEN, OPEN, by_length, oklch
+from app.scene.content import Content
 from app.scene.quiet_colours import palette
 from app.scene.scene import TRUST_COLOURS, height_range
 from app.scene.ticks import ticks
@@ -72,17 +73,15 @@ def colour_bar(comparison: Comparison, state: ViewState) -> ColourBar | None:
     return ColourBar(table, marks, below, above, quiet.no_data)
 
 
-def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch, ...]:
+def legend(content: Content, state: ViewState, view: int) -> tuple[Swatch, ...]:
     """Return the legend of one view."""
     quiet = palette(state.dark)
     if view == 2:
-        closed, ended = counts["chains_closed"], counts["chains_open"]
         lines = (
             (True, Swatch((quiet.surface_1,), "only nodes of 1 (clouts)")),
             (True, Swatch((quiet.surface_2,), "only nodes of 2 (clouts)")),
-            (counts["nodes_shared"], Swatch((quiet.shared,), "only shared nodes")),
-            (closed, Swatch(_some(5.0, 95.0), "closed chains: {}", closed)),
-            (ended, Swatch(_some(185.0, 300.0), "open chains: {}", ended)),
+            (content.counts["nodes_shared"], Swatch((quiet.shared,), "only shared nodes")),
+            *_of_chains(content, state),
         )
         return tuple(swatch for there, swatch in lines if there)
     if view == 3 and state.heatmap is Heatmap.TRUST:
@@ -95,8 +94,41 @@ def legend(counts: dict[str, int], state: ViewState, view: int) -> tuple[Swatch,
     return ()
 
 
+def _of_chains(content: Content, state: ViewState) -> tuple[tuple[int, Swatch], ...]:
+    """Return what tells of chains in the legend, and how many each line is about."""
+    count = content.chains.counts
+    every = len(content.chains.closed)
+    if state.chains_by is ChainsBy.LENGTH:
+        return ((every, Swatch(_steps(height_map()), "chains, short to long: {}", every)),)
+    if state.chains_by is ChainsBy.ORDER:
+        return ((every, Swatch(_steps(height_map()), "chains, first to last found: {}", every)),)
+    if state.chains_by is ChainsBy.MEAN:
+        table = difference_map(signed=False)
+        return ((every, Swatch(_steps(table), "chains by their mean |d|: {}", every)),)
+    if every <= FEW:
+        closed = count["rings"] + count["longer"]
+        return (
+            (closed, Swatch(_some(5.0, 95.0), "closed chains: {}", closed)),
+            (count["open"], Swatch(_some(185.0, 300.0), "open chains: {}", count["open"])),
+        )
+    length = _steps(by_length(np.array([2, 4, 8, 16])))
+    few = count["open"] <= FEW_OPEN
+    strong = _some(185.0, 300.0) if few else _steps(oklch(*(np.full(1, part) for part in OPEN)))
+    ring = palette(state.dark).ring
+    return (
+        (count["rings"], Swatch((ring,), "rings round one node: {}", count["rings"])),
+        (count["longer"], Swatch(length, "longer closed chains: {}", count["longer"])),
+        (count["open"], Swatch(strong, "open chains: {}", count["open"])),
+    )
+
+
+def _steps(table: Colours) -> tuple[Rgb, ...]:
+    """Return at most four colours of a table."""
+    some = table[np.linspace(0, len(table) - 1, min(4, len(table))).astype(np.intp)]
+    return tuple((int(r), int(g), int(b)) for r, g, b in some)
+
+
 def _some(first: float, last: float) -> tuple[Rgb, ...]:
     """Return four colours out of a family of chains."""
     hues = np.linspace(first, last, 4)
-    colours = oklch(np.full(4, 0.68), np.full(4, 0.135), hues)
-    return tuple((int(r), int(g), int(b)) for r, g, b in colours)
+    return _steps(oklch(np.full(4, 0.68), np.full(4, 0.135), hues))

@@ -18,6 +18,8 @@ class Palette:
     node_2: Rgb
     edge: Rgb
     no_data: Rgb
+    ring: Rgb
+    """Chains round one node."""
     accent: Rgb
     """The picked triangle and the chosen chain."""
 
@@ -31,6 +33,7 @@ LIGHT = Palette(
     node_2=(150, 84, 10),
     edge=(32, 40, 52),
     no_data=NOT_COMPARED,
+    ring=(240, 232, 226),
     accent=(0, 122, 204),
 )
 DARK = Palette(
@@ -42,6 +45,7 @@ DARK = Palette(
     node_2=(255, 196, 110),
     edge=(8, 10, 14),
     no_data=(84, 89, 98),
+    ring=(72, 66, 66),
     accent=(92, 188, 255),
 )
 

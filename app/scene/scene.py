@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.view_state import Heatmap, ViewState
+from app.model.view_state import ChainsBy, Heatmap, ViewState
 from app.scene.chain_colours import chain_colours
+from app.scene.chain_table import ChainTable
 from app.scene.coarse import Coarse
 from app.scene.content import Content
 from app.scene.geometry import Patch
@@ -107,7 +108,9 @@ def scene_of(content: Content, state: ViewState, *, sketch: bool = False) -> Sce
             plain = (quiet.surface_1, quiet.surface_2)[view]
             return once(surface_colours, patches[view], plain, state.dark, coarse)
         if view == 2:
-            return once(united_colours, comparison, state.chain, state.dark, coarse)
+            end = state.colours.end if state.chains_by is ChainsBy.MEAN else 0.0
+            how = state.chains_by, end, state.chain, state.dark
+            return once(united_colours, comparison, content.chains, *how, coarse)
         kind, scale = state.heatmap, visible_part(state.colours)
         return once(heatmap_colours, comparison, kind, scale, state.brush, state.dark, coarse)
 
@@ -168,9 +171,15 @@ def surface_colours(
 
 
 def united_colours(
-    comparison: Comparison, chosen: int | None, dark: bool, coarse: Coarse | None = None
+    comparison: Comparison,
+    chains: ChainTable,
+    by: ChainsBy,
+    end: float,
+    chosen: int | None,
+    dark: bool,
+    coarse: Coarse | None = None,
 ) -> Colours:
-    """Return the colours of T: clouts quiet, each chain its own, a `chosen` one alone.
+    """Return the colours of T: clouts quiet, chains as `chain_colours` has them, `chosen` alone.
 
     (M, 3), or one for each triangle of the `coarse` patch.
     """
@@ -182,7 +191,7 @@ def united_colours(
     table = np.array([quiet.shared, quiet.surface_1, quiet.surface_2, quiet.shared], np.uint8)
     colours = table[seen]
     inside = chain >= 0
-    colours[inside] = chain_colours(united.chain_closed)[chain[inside]]
+    colours[inside] = chain_colours(chains, by, end, dark=dark)[chain[inside]]
     if chosen is not None:
         colours = faded(colours, chain != chosen, quiet.background)
     return colours

@@ -18,7 +18,7 @@ from app.jobs.comparing import Compared
 from app.model.document import Document
 from app.model.region import Region, Stroke
 from app.model.tool import Tool
-from app.model.view_state import Place, ScaleChoice
+from app.model.view_state import ChainsBy, Place, ScaleChoice
 from app.scene.content import content_of
 from app.scene.pick import reading_at
 from tests.app.mocks import MockAsking, MockDisplay, MockTelling, MockWorkbench
@@ -52,6 +52,7 @@ class Panel(QObject):
     remove_asked = Signal(int)
     clear_asked = Signal()
     chosen = Signal(object)
+    colours_asked = Signal(object)
     brushed = Signal(object)
     changed = Signal(object)
     fit_asked = Signal()
@@ -66,6 +67,9 @@ class Panel(QObject):
 
     def show_chains(self, *shown: object) -> None:
         self.seen["chains"] = shown
+
+    def show_colours(self, *shown: object) -> None:
+        self.seen["colours"] = shown
 
     def show_state(self, *shown: object) -> None:
         self.seen["state"] = shown
@@ -109,6 +113,11 @@ def test_a_chain_that_is_chosen_stands_out_and_is_flown_to(result: Compared) -> 
     workbench.finish(result)
     display.set_content(result.content, "mm", ScaleChoice())
     assert panel.seen["chains"] == (result.content.chains, "mm")
+    panel.colours_asked.emit(ChainsBy.LENGTH)
+    assert display.state.chains_by is ChainsBy.LENGTH
+    by, colours = panel.seen["colours"]
+    assert by is ChainsBy.LENGTH
+    assert len(colours) == len(result.content.chains.closed)
     panel.chosen.emit(0)
     assert display.state.chain == 0
     ((low, high),) = display.looked_at

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.interpolate import LinearNDInterpolator
 
-from app.model.view_state import Heatmap, ScaleChoice, ViewState
-from app.scene.chain_colours import chain_colours
-from app.scene.chain_table import chain_box, chain_table
+from app.model.view_state import ChainsBy, Heatmap, ScaleChoice, ViewState
+from app.scene.chain_colours import FEW, chain_colours, hues
+from app.scene.chain_table import ChainTable, chain_box, chain_table
 from app.scene.coarse import coarse_of
 from app.scene.content import content_of
 from app.scene.distribution import Distributions, distribution_of, distributions_of
@@ -23,6 +23,7 @@ from surfcmp_core.colours.maps import ABOVE, BELOW, WITHIN, colour_map, spread
 from surfcmp_core.colours.scale import Scale, coloured, round_up
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.triangulation import triangulate
+from tests.window.builders import comparison_of, hills
 
 STATE = ViewState()
 
@@ -94,7 +95,7 @@ def test_a_brush_fades_what_is_outside_it(small: Comparison):
 
 def test_closed_chains_are_warm_and_open_ones_cool():
     closed = np.tile([True, False], 40)
-    colours = chain_colours(closed).astype(int)
+    colours = hues(closed).astype(int)
     red, blue = colours[:, 0], colours[:, 2]
     assert (red[closed] > blue[closed]).all()
     assert (red[~closed] < blue[~closed]).all()
@@ -102,7 +103,7 @@ def test_closed_chains_are_warm_and_open_ones_cool():
 
 
 def test_every_chain_has_one_colour_and_clouts_have_the_surfaces(small: Comparison):
-    colours = united_colours(small, None, False)
+    colours = united_colours(small, chain_table(small), ChainsBy.ROLE, 1.0, None, False)
     for chain in range(len(small.united.chain_closed)):
         assert len(np.unique(colours[small.united.chain == chain], axis=0)) == 1
     labels = small.united.label[small.united.triangles]
@@ -111,7 +112,8 @@ def test_every_chain_has_one_colour_and_clouts_have_the_surfaces(small: Comparis
 
 
 def test_a_chosen_chain_stands_out(small: Comparison):
-    plain, chosen = united_colours(small, None, False), united_colours(small, 0, False)
+    how = small, chain_table(small), ChainsBy.ROLE, 1.0
+    plain, chosen = united_colours(*how, None, False), united_colours(*how, 0, False)
     same = (plain == chosen).all(axis=1)
     assert (same == (small.united.chain == 0)).all()
 
@@ -183,16 +185,52 @@ def test_a_banded_bar_changes_colour_at_its_ticks(small: Comparison):
         assert (bar.colours[k] == above[0]).all()
 
 
-def test_the_legend_counts_the_chains(small: Comparison):
-    counts = {**small.counts, "chains_closed": 1234, "chains_open": 5}
-    found = {swatch.text: swatch.count for swatch in legend(counts, STATE, 2)}
-    assert found["closed chains: {}"] == 1234
-    assert found["open chains: {}"] == 5
-    none = {**counts, "chains_closed": 0, "chains_open": 0, "nodes_shared": 7}
-    texts = [swatch.text for swatch in legend(none, STATE, 2)]
-    assert texts[2:] == ["only shared nodes"]
-    assert legend(small.counts, STATE, 3) == ()
-    assert len(legend(small.counts, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
+@pytest.fixture(scope="module")
+def many() -> Comparison:
+    """Give a comparison with chains of every kind."""
+    return comparison_of(hills(1500, 1), hills(700, 2, lift=3.0))
+
+
+def test_the_legend_counts_the_chains(many: Comparison, small: Comparison):
+    content = content_of(many)
+    found = {swatch.text: swatch.count for swatch in legend(content, STATE, 2)}
+    kinds = content.chains.counts
+    assert len(content.chains.closed) > FEW
+    assert found["rings round one node: {}"] == kinds["rings"] > 0
+    assert found["longer closed chains: {}"] == kinds["longer"] > 0
+    assert found.get("open chains: {}", 0) == kinds["open"]
+    assert sum(kinds.values()) == len(many.united.chain_closed)
+    for by in set(ChainsBy) - {ChainsBy.ROLE}:
+        (swatch,) = legend(content, replace(STATE, chains_by=by), 2)[2:]
+        assert swatch.count == len(many.united.chain_closed)
+    few = {swatch.text: swatch.count for swatch in legend(content_of(small), STATE, 2)}
+    assert few["closed chains: {}"] == small.counts["chains_closed"]
+    assert few["open chains: {}"] == small.counts["chains_open"]
+    assert legend(content, STATE, 3) == ()
+    assert len(legend(content, replace(STATE, heatmap=Heatmap.TRUST), 3)) == 4
+
+
+def test_a_ring_runs_round_one_node(many: Comparison):
+    table, united = chain_table(many), many.united
+    for chain in range(len(table.closed)):
+        common = set.intersection(*map(set, united.triangles[united.chain == chain].tolist()))
+        assert table.ring[chain] == (bool(common) and bool(table.closed[chain]))
+
+
+def test_chains_are_coloured_by_their_role_or_a_number(many: Comparison):
+    table = chain_table(many)
+    role = chain_colours(table, ChainsBy.ROLE, 1.0, dark=False).astype(int)
+    assert (role[table.ring] == palette(False).ring).all()
+    longer = np.flatnonzero(table.closed & ~table.ring)
+    by_length_ = longer[np.argsort(table.triangles[longer])]
+    assert (np.diff(role[by_length_].sum(axis=1)) <= 2).all()  # ever darker
+    mean = chain_colours(table, ChainsBy.MEAN, 1.0, dark=False)
+    least, most = np.nanargmin(table.mean_abs), np.nanargmax(table.mean_abs)
+    assert mean[least].astype(int).sum() > mean[most].astype(int).sum()
+    order = chain_colours(table, ChainsBy.ORDER, 1.0, dark=False)
+    assert len(np.unique(order, axis=0)) > 0.9 * min(len(order), 256)
+    few = ChainTable(*(getattr(table, name)[:10] for name in ChainTable.__slots__))
+    assert len(np.unique(chain_colours(few, ChainsBy.ROLE, 1.0, dark=True), axis=0)) == 10
 
 
 @pytest.mark.parametrize(
@@ -249,8 +287,6 @@ def test_chains_add_up_to_the_interface(small: Comparison):
 
 
 def test_a_cloud_is_pale_beyond_its_longest_edge(clouds):
-    from tests.window.builders import comparison_of
-
     comparison = comparison_of(*clouds, hole=25.0)
     content = content_of(comparison)
     data = content.geometry.patches[1].data
