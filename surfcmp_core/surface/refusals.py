@@ -162,15 +162,16 @@ def weight_at(weight: Callable[..., object], nodes: NDArray[np.float64]) -> NDAr
     """
     found = np.asarray(weight(nodes[:, 0].copy(), nodes[:, 1].copy()))
     if found.shape != (len(nodes),):
-        raise InputError(f"weight: shape {found.shape} for {len(nodes)} places (x, y)")
+        raise InputError(f"shape {found.shape} for {len(nodes)} places (x, y)", where=("weight",))
     if found.dtype.kind not in "buif":
-        raise InputError(f"weight: gives {found.dtype}, not real numbers")
+        raise InputError(f"gives {found.dtype}, not real numbers", where=("weight",))
     found = np.ascontiguousarray(found, np.float64)
     if not (found.min() >= 0.0 and found.max() < LARGEST):
         bad = ~((found >= 0.0) & (found < LARGEST))
         place, first = nodes[bad][0].tolist(), found[bad][0]
         raise InputError(
-            f"weight: {int(bad.sum())} of {len(found)} values are not numbers from 0 to "
-            f"{LARGEST:.3g}, the first {first:.6g} at ({place[0]:.6g}, {place[1]:.6g})"
+            f"{int(bad.sum())} of {len(found)} values are not numbers from 0 to "
+            f"{LARGEST:.3g}, the first {first:.6g} at ({place[0]:.6g}, {place[1]:.6g})",
+            where=("weight",),
         )
     return found
