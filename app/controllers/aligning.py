@@ -18,8 +18,10 @@ from app.jobs.runner import Runner
 from app.model.landmark import Landmark, Point
 from app.model.tool import Tool
 from app.panels.alignment_panel import AlignmentPanel
+from surfcmp_core.alignment import best_fit, fit_landmarks
 from surfcmp_core.alignment.fit import FIT_KEYS
 from surfcmp_core.comparing.options import NOT_MOVED, Matrix, Motion
+from surfcmp_core.compiled.linear_algebra import applied, composed, dots, inverse, rotation
 from surfcmp_core.errors import InputError
 from surfcmp_core.measures.measures import Measures
 from surfcmp_core.surface.together import carried
@@ -77,7 +79,6 @@ class Aligning(QObject):
         shown = self._workbench.shown
         if shown is None:
             return
-        from surfcmp_core.compiled.linear_algebra import applied, inverse
 
         to_file = inverse(to_comparison(shown)[surface - 1])
         place = applied(to_file, point[None])[0]
@@ -112,8 +113,6 @@ class Aligning(QObject):
 
     def fit_landmarks(self) -> None:
         """Move surface 2 so that its landmarks come nearest to those of 1."""
-        from surfcmp_core.alignment import fit_landmarks
-
         shown = self._workbench.shown
         whole = [(pair.one, pair.two) for pair in self.pairs if pair.one and pair.two]
         try:
@@ -146,7 +145,6 @@ class Aligning(QObject):
         shown = self._workbench.shown
         if shown is None:
             return
-        from surfcmp_core.compiled.linear_algebra import composed, dots, inverse, rotation
 
         frame = to_comparison(shown)[0]  # axes are those one sees
         turn = np.eye(4)
@@ -191,8 +189,6 @@ def to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.floa
 
     As file 1 counts: in its unit and axes, as motions are.
     """
-    from surfcmp_core.compiled.linear_algebra import composed
-
     comparison = shown.comparison
     from_file = comparison.surfaces[0].from_file
     return composed(comparison.frame, from_file), composed(comparison.transform, from_file)
@@ -200,9 +196,6 @@ def to_comparison(shown: Compared) -> tuple[NDArray[np.float64], NDArray[np.floa
 
 def best_fit_of(shown: Compared, number: int | None, progress: Progress) -> Motion:
     """Return how 2 comes nearest to 1 from where it lies, on a region by number or on all."""
-    from surfcmp_core.alignment import best_fit
-    from surfcmp_core.compiled.linear_algebra import applied
-
     surfaces = shown.comparison.surfaces
     first = surfaces[0]
     masks: list[NDArray[np.bool_] | None] = [None, None]

@@ -11,6 +11,8 @@ from app.controllers.asking import Asking, Telling
 from app.controllers.workbench import Workbench
 from app.jobs.comparing import Compared
 from app.model.session_text import ENDING
+from surfcmp_core.io.read import READERS
+from surfcmp_core.io.samples import sample_pair
 
 
 class Opening(QObject):
@@ -57,8 +59,6 @@ class Opening(QObject):
 
     def open_sample(self) -> None:
         """Open the built-in pair."""
-        from surfcmp_core.io.samples import sample_pair
-
         try:
             self._workbench.open(sample_pair("face"))
         except FileNotFoundError as error:
@@ -88,7 +88,6 @@ class Opening(QObject):
             self._workbench.set_document(self._workbench.document.swapped())
 
     def _kinds(self) -> str:
-        from surfcmp_core.io.read import READERS
 
         globs = " ".join("*" + ending for ending in READERS)
         return self.tr("Surfaces ({})").format(globs)

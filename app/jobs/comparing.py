@@ -18,6 +18,8 @@ from app.scene.borders import borders_of
 from app.scene.content import Content, content_of
 from surfcmp_core.comparing.comparison import Comparison
 from surfcmp_core.comparing.options import Options
+from surfcmp_core.comparing.request import compare_surfaces
+from surfcmp_core.io import read_surface
 from surfcmp_core.report import make_record
 from surfcmp_core.surface import Surface
 from surfcmp_core.system.progress import Progress
@@ -84,8 +86,6 @@ def _measured_anew(document: Document, before: Compared) -> Comparison | None:
 
 def _compare(document: Document, progress: Progress) -> Comparison:
     """Compare as the command line does, so that the numbers are the same."""
-    from surfcmp_core.comparing.request import compare_surfaces
-
     one, two = document.paths
     assert one is not None
     assert two is not None
@@ -107,6 +107,4 @@ def read_once(
     path: Path, _stamp: tuple[int, int], unit: str | None, no_data: tuple[float, ...] = ()
 ) -> Surface:
     """Read a file once for as long as it does not change."""
-    from surfcmp_core.io import read_surface
-
     return read_surface(path, unit=unit, no_data=no_data)

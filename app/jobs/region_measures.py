@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.region import Region
+from surfcmp_core.measures import measure
 
 if TYPE_CHECKING:
     from surfcmp_core.comparing.comparison import Comparison
@@ -133,7 +134,6 @@ def _measure(
     mine: NDArray[np.bool_],
     triangle_weight: NDArray[np.float64] | None = None,
 ) -> Measures:
-    from surfcmp_core.measures import measure
 
     whole, united = comparison.measures, comparison.united
     return measure(

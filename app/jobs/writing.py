@@ -9,6 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from app.model.view_state import ViewState
+from surfcmp_core.report.hidden import without_names
+from surfcmp_core.report.outputs import WRITERS, check_outputs
+from surfcmp_core.report.page import write_html
+from surfcmp_core.report.pictures import write_pdf
+from surfcmp_core.report.record import region_record
+from surfcmp_core.system.whole_files import write_all
 
 if TYPE_CHECKING:
     from app.jobs.comparing import Compared
@@ -31,12 +37,6 @@ def export(
     OutputError
         A file cannot be written; none is touched then.
     """
-    from surfcmp_core.report.hidden import without_names
-    from surfcmp_core.report.outputs import WRITERS, check_outputs
-    from surfcmp_core.report.page import write_html
-    from surfcmp_core.report.pictures import write_pdf
-    from surfcmp_core.system.whole_files import write_all
-
     check_outputs(paths, [file for file in result.document.paths if file])
     comparison, record = result.content.comparison, record_of(result, state)
     if hide_names:
@@ -59,8 +59,6 @@ def record_of(result: Compared, state: ViewState) -> dict[str, Any]:
     Beside what the command line writes it has the keys "scale" and, where there are any,
     "regions"; ρ_V with the weight µ counts the regions' weights.
     """
-    from surfcmp_core.report.record import region_record
-
     record = dict(result.record)
     record["measures"] = {
         **record["measures"],

@@ -15,9 +15,15 @@ from typing import BinaryIO
 import numpy as np
 
 import surfcmp_core.compiled.kernel  # noqa: F401 - says where the cache is
+from surfcmp_core.domain import footprint_of_cloud, reasons
+from surfcmp_core.domain.footprint import states_at, states_of_triangles
 from surfcmp_core.errors import Cancelled
+from surfcmp_core.interpolation import interpolate
+from surfcmp_core.localisation import locate_along_tree
+from surfcmp_core.measures import Covered, hausdorff, measure, triangle_areas
 from surfcmp_core.system.children import child
 from surfcmp_core.system.lock import make_held, take_over
+from surfcmp_core.triangulation import Triangulation
 
 _PROGRAM = "from surfcmp_core.comparing.warming import compile_once; compile_once()"
 
@@ -56,13 +62,6 @@ def _held(path: Path) -> BinaryIO | None:
 
 def compile_later_stages() -> None:
     """Locate, interpolate and measure on one triangle: what comes after trees and chains."""
-    from surfcmp_core.domain import footprint_of_cloud, reasons
-    from surfcmp_core.domain.footprint import states_at, states_of_triangles
-    from surfcmp_core.interpolation import interpolate
-    from surfcmp_core.localisation import locate_along_tree
-    from surfcmp_core.measures import Covered, hausdorff, measure, triangle_areas
-    from surfcmp_core.triangulation import Triangulation
-
     nodes = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     z = np.array([0.0, 1.0, 2.0])
     start = np.array([0, 1, 2, 1, 0, -1, 2, 1, -1, 0, 2, -1], np.int32)

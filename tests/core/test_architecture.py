@@ -74,15 +74,11 @@ def test_the_picture_of_the_parts_is_as_the_imports_are() -> None:
 
 
 PUT_OFF = {"importlib", "laspy", "matplotlib", "numba", "psutil", "resource", "scipy"}
-PUT_OFF |= {"surfcmp_core.compiled"}
+PUT_OFF |= {"surfcmp_core.cli", "surfcmp_core.compiled"}
 """What only a function that needs it imports: it takes long, or is not there on every system."""
 
 
-@pytest.mark.parametrize(
-    "path",
-    [path for path in MODULES if path.relative_to(CORE).parts[0] not in {"cli", "comparing"}],
-    ids=lambda p: str(p.relative_to(CORE)),
-)
+@pytest.mark.parametrize("path", MODULES, ids=lambda p: str(p.relative_to(CORE)))
 def test_functions_import_only_what_takes_long(path: Path) -> None:
     for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(function, ast.FunctionDef):

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
+from platformdirs import user_state_path
 
 from surfcmp_core.comparing.options import Options
 from surfcmp_core.errors import Violation
@@ -46,7 +47,6 @@ def keeping(surfaces: tuple[Surface, Surface], options: Options) -> Iterator[Non
 
 
 def _keep(surfaces: tuple[Surface, Surface], options: Options) -> Path:
-    from platformdirs import user_state_path
 
     folder = user_state_path("surfcmp") / "violations"
     folder.mkdir(parents=True, exist_ok=True)
