@@ -117,7 +117,9 @@ def test_a_violation_is_one_line_and_the_input_is_kept(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr("platformdirs.user_state_path", lambda name: tmp_path / name)
+    monkeypatch.setattr(
+        "surfcmp_core.comparing.verification.evidence.user_state_path", lambda name: tmp_path / name
+    )
     unite = stages.unite
     monkeypatch.setattr(stages, "unite", lambda *args: _one_twice(unite(*args)))
     files = [tmp_path / "one.xyz", tmp_path / "two.xyz"]
