@@ -13,14 +13,22 @@ help: ## say what there is
 run: setup-run ## open the window on the built-in pair (no display: picture and numbers in out/)
 	@.make/run
 
-test: ## run all tests on two cores: those of the core beside those of the window, then the program
-	@$(MAKE) --no-print-directory --keep-going --jobs 2 test-core test-window test-program
+# each as long as the other half of the program's tests
+endurance := $(addprefix tests/program/test_,same_on_every_machine.py extremes.py hostile_files.py \
+	killed.py)
+
+test: ## run all tests on two cores: core and window, then both halves of the program's
+	@$(MAKE) --no-print-directory --keep-going --jobs 2 test-core test-window test-endurance \
+		test-program
 
 test-core: setup-test ## run the tests of the core, and of the window's parts that need no screen
 	$(python) -m pytest tests/core tests/app
 
 test-program: setup-test ## run the tests of whole programs, which start processes
-	$(python) -m pytest tests/program
+	$(python) -m pytest tests/program $(addprefix --ignore=,$(endurance))
+
+test-endurance: setup-test ## run the tests of what is odd, large, killed, or another machine
+	$(python) -m pytest $(endurance)
 
 test-plain: setup-test ## run tests of all kernels without compilation, where no index or overflow passes in silence
 	NUMBA_DISABLE_JIT=1 $(python) -m pytest tests/core -m "plain and not large"
