@@ -4,8 +4,8 @@ python := .venv/bin/python
 # Qt and VTK on a screen in memory
 screen := QT_API=pyside6 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1400x1000x24 -noreset"
 
-.PHONY: help run test test-core test-plain test-program test-window lint types bench fuzz samples screenshot \
-	setup-run setup-test setup-dev
+.PHONY: help run test test-core test-endurance test-plain test-program test-window lint types bench fuzz samples \
+	screenshot setup-run setup-test setup-dev
 
 help: ## say what there is
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
