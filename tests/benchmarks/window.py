@@ -194,7 +194,6 @@ def main() -> int:
     app.processEvents()
     say("window visible", time.time() - BEGIN, "s", "≤ 2 s")
     window.start()
-    window.sessions.autosave = Path(folder.name) / "autosave"
     run, lateness = Run(window), Lateness()
     measure_start(run, lateness, paths)
     measure_turning(run, lateness)
