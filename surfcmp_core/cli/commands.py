@@ -12,7 +12,7 @@ import typer
 from typer.core import TyperGroup
 
 import surfcmp_core
-from surfcmp_core.cli.main import NAMES
+from surfcmp_core.cli import NAMES
 from surfcmp_core.cli.statuses import INTERRUPTED
 from surfcmp_core.cli.stopping import stopping_soon
 

@@ -3,10 +3,8 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from surfcmp_core.cli import NAMES
 from surfcmp_core.cli.statuses import CANNOT_COMPARE, INTERRUPTED, WRONG_USAGE, complain
-
-NAMES = ("compare", "batch", "info", "thin")
-"""The commands; a first argument that is none of them is a file."""
 
 Window = Callable[[list[Path]], int]
 """Opens the window on at most two files; returns its exit status."""

@@ -289,7 +289,7 @@ def test_no_command_opens_the_window(
 
 def test_every_command_is_known_by_name() -> None:
     import surfcmp_core.cli
-    from surfcmp_core.cli.main import NAMES
+    from surfcmp_core.cli import NAMES
 
     rooms = Path(surfcmp_core.cli.__file__).parent.glob("*.py")
     assert {one.stem for one in rooms if "\ndef command(" in one.read_text("utf-8")} == set(NAMES)
