@@ -5,10 +5,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Protocol
+from typing import BinaryIO, Protocol
 
 import numpy as np
-from PySide6.QtCore import QObject, SignalInstance
+from PySide6.QtCore import QBuffer, QObject, SignalInstance
 from PySide6.QtGui import QImage
 
 from app.controllers.asking import Asking, Telling
@@ -19,6 +19,8 @@ from app.model.superimposition import Superimposition
 from app.panels.superimposition_panel import SuperimpositionPanel
 from app.scene.superimposed import Superimposed, difference_at, profile_on, superimposed
 from surfcmp_core.comparing.options import NOT_MOVED
+from surfcmp_core.report.outputs import check_outputs
+from surfcmp_core.system.whole_files import OutputError, write_all
 
 Place = tuple[float, float, float]
 Pointed = tuple[int, int, Place]
@@ -51,6 +53,9 @@ class SceneView(Protocol):
 
     def nearest(self, surface: int, place: Place) -> Place:
         """Return the place of a scan that is nearest to one in the scene."""
+
+    def is_seen(self) -> bool:
+        """Whether the window is on the screen."""
 
     def picture(self) -> QImage:
         """Return what is seen."""
@@ -105,8 +110,8 @@ class Superimposing(QObject):
             view.pointed.connect(self._read)
             view.clicked.connect(self._click)
             view.flickered.connect(lambda: self.change(self.state.flickered()))
-        self._show()
         self._view.raise_up()
+        self._show()
 
     def close(self) -> None:
         """Let go of the view, before the application ends."""
@@ -133,12 +138,25 @@ class Superimposing(QObject):
         )
         if path is not None:
             target = path if path.suffix.lower() == ".png" else Path(f"{path}.png")
-            if not self._view.picture().save(str(target)):
-                self._telling.tell(self.tr("{} cannot be written").format(target))
+            png = QBuffer()
+            self._view.picture().save(png, "PNG")  # type: ignore[call-overload]
+
+            def write(stream: BinaryIO) -> None:
+                stream.write(png.data().data())
+
+            try:
+                check_outputs([target], self._inputs(), (".png",))
+                write_all({target: write})
+            except OutputError as error:
+                self._telling.tell(str(error))
+
+    def _inputs(self) -> list[Path]:
+        shown = self._workbench.shown
+        return [] if shown is None else [path for path in shown.document.paths if path]
 
     def _show(self) -> None:
         content, state = self._display.content, self._display.state
-        if self._view is None or content is None:
+        if self._view is None or content is None or not self._view.is_seen():
             return
         shown = self._workbench.shown
         moved = shown is not None and shown.document.motion != NOT_MOVED
@@ -207,7 +225,7 @@ class Superimposing(QObject):
         content, cut = self._display.content, self.state.cut
         if content is None or cut is None:
             return []
-        d = np.abs(content.once(profile_on, content, cut).difference)
+        d = np.abs(content.once(profile_on, content.comparison, content.geometry, cut).difference)
         if not np.isfinite(d).any():
             return [self.tr("on the cut there is nothing to compare")]
         largest = three(float(np.nanmax(d)))

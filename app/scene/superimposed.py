@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.model.superimposition import Cut, Style, Superimposition
 from app.scene.coarse import Coarse
 from app.scene.content import Content
-from app.scene.geometry import Patch
+from app.scene.geometry import Geometry, Patch
 from app.scene.lines import Segments
 from app.scene.profile import Profile, profile_of
 from app.scene.quiet_colours import palette
@@ -91,23 +91,24 @@ def superimposed(
     quiet = palette(dark)
     plane = None
     if wish.cut is not None:
-        plane = wish.cut.axis, place_of(content, wish.cut)
+        plane = wish.cut.axis, place_of(content.geometry, wish.cut)
+    comparison, geometry, once = content.comparison, content.geometry, content.once
     skins, curves = [], []
     for surface, colour in enumerate((quiet.surface_1, quiet.surface_2)):
-        patch = content.geometry.patches[surface]
-        points = patch.points
-        if surface == 1 and wish.before:
-            points = content.once(_before, content, patch)
+        patch, coat = geometry.patches[surface], wish.coats[surface]
+        points, before = patch.points, wish.before and surface == 1
+        if before:
+            points = once(_before, comparison, geometry)
         colours: Colours | Rgb = colour
-        triangles = content.once(_with_data, patch)
-        if wish.coats[surface].heatmap:
-            found = content.once(_painted, content, surface, scale, quiet.no_data)
-            colours = found if patch.data is None else found[patch.data]
-        coat = wish.coats[surface]
-        coarse = None if patch.coarse is None else content.once(_coarse, patch.coarse)
+        triangles = once(_with_data, patch)
+        if coat.heatmap:
+            colours = once(_painted, comparison, geometry, surface, scale, quiet.no_data)
+        coarse = None if patch.coarse is None else once(_coarse, patch.coarse)
         opacity = wish.opacity(surface)
         skins.append(Skin(points, patch.normals, triangles, coarse, colours, opacity, coat.style))
-        curves.append(cut_of(points, triangles, *plane) if plane else NO_CURVE)
+        curves.append(
+            once(_curve, comparison, geometry, surface, before, *plane) if plane else NO_CURVE
+        )
     return Superimposed(
         (skins[0], skins[1]),
         plane,
@@ -121,22 +122,21 @@ def superimposed(
 NO_CURVE: Segments = np.zeros((0, 2, 3), dtype=np.float32)
 
 
-def place_of(content: Content, cut: Cut) -> float:
+def place_of(geometry: Geometry, cut: Cut) -> float:
     """Return the coordinate at which a plane cuts, in the scene's coordinates."""
-    low, high = content.geometry.low[cut.axis], content.geometry.high[cut.axis]
+    low, high = geometry.low[cut.axis], geometry.high[cut.axis]
     return float(low + cut.share * (high - low))
 
 
-def profile_on(content: Content, cut: Cut) -> Profile:
+def profile_on(comparison: Comparison, geometry: Geometry, cut: Cut) -> Profile:
     """Return the profiles of both surfaces along a cut, in the comparison's coordinates."""
-    geometry = content.geometry
-    at = place_of(content, cut) + geometry.origin[cut.axis]
+    at = place_of(geometry, cut) + geometry.origin[cut.axis]
     other = 1 - cut.axis
     ends = (geometry.low + geometry.origin)[other], (geometry.high + geometry.origin)[other]
     line = [0.0, 0.0, 0.0, 0.0]
     line[cut.axis] = line[2 + cut.axis] = float(at)
     line[other], line[2 + other] = float(ends[0]), float(ends[1])
-    return profile_of(content.comparison, (line[0], line[1], line[2], line[3]), geometry)
+    return profile_of(comparison, (line[0], line[1], line[2], line[3]), geometry)
 
 
 def cut_of(
@@ -208,15 +208,25 @@ def _with_data(patch: Patch) -> NDArray[np.int32]:
     return np.ascontiguousarray(patch.triangles[patch.data])
 
 
-def _painted(content: Content, surface: int, scale: Scale, missing: Rgb) -> Colours:
-    d = _differences(content.comparison, surface)
-    values = d[content.geometry.patches[surface].triangles].mean(axis=1)
+def _curve(
+    comparison: Comparison, geometry: Geometry, surface: int, before: bool, axis: int, place: float
+) -> Segments:
+    patch = geometry.patches[surface]
+    points = _before(comparison, geometry) if before else patch.points
+    return cut_of(points, _with_data(patch), axis, place)
+
+
+def _painted(
+    comparison: Comparison, geometry: Geometry, surface: int, scale: Scale, missing: Rgb
+) -> Colours:
+    """(m, 3) the colours of the differences, of the triangles with data."""
+    d = _differences(comparison, surface)
+    values = d[_with_data(geometry.patches[surface])].mean(axis=1)
     return coloured(values if scale.signed else np.abs(values), scale, missing)
 
 
-def _before(content: Content, patch: Patch) -> NDArray[np.float32]:
+def _before(comparison: Comparison, geometry: Geometry) -> NDArray[np.float32]:
     """Return the nodes of surface 2 where they lay before it was moved onto surface 1."""
-    comparison, origin = content.comparison, content.geometry.origin
     back = composed(comparison.frame, inverse(comparison.transform))
-    points = applied(back, patch.points + origin) - origin
+    points = applied(back, geometry.patches[1].points + geometry.origin) - geometry.origin
     return np.asarray(points, np.float32)

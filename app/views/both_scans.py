@@ -37,7 +37,7 @@ class SuperimpositionView(QWidget):
         make: Any = QtInteractor  # whose signature its wrapper hides
         self.interactor = make(self, auto_update=False, multi_samples=0, lighting="none")
         self.scene = SuperimposedScene(self.interactor)
-        self.interactor.add_axes()
+        self.interactor.add_axes(color="gray")  # legible on either ground
         self._seen = False
         self._hover = QTimer(self, singleShot=True, interval=HOVER_MILLISECONDS)
         self._hover.timeout.connect(lambda: self._tell(self.pointed))
@@ -84,6 +84,10 @@ class SuperimpositionView(QWidget):
         self.raise_()
         self.activateWindow()
         self.interactor.setFocus()
+
+    def is_seen(self) -> bool:
+        """Whether the window is on the screen."""
+        return self.isVisible()
 
     def picture(self) -> QImage:
         """Return what is seen."""

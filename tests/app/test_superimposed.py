@@ -64,12 +64,14 @@ def test_the_plane_cuts_both_and_the_difference_on_it_is_told(content: Content) 
     wish = Superimposition(cut=Cut(0, 0.3))
     scene = superimposed(content, SCALE, wish, dark=False)
     assert wish.cut is not None
-    place = place_of(content, wish.cut)
+    place = place_of(content.geometry, wish.cut)
     assert scene.plane == (0, place)
+    again = superimposed(content, SCALE, wish, dark=False)
+    assert again.curves[0] is scene.curves[0]  # so that nothing is cut or sent twice
     for curve in scene.curves:
         assert len(curve)
         assert np.allclose(curve[..., 0], place, atol=1e-5)
-    d = profile_on(content, wish.cut).difference
+    d = profile_on(content.comparison, content.geometry, wish.cut).difference
     assert np.allclose(d[np.isfinite(d)], -0.5)
 
 

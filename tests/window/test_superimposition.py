@@ -140,3 +140,26 @@ def test_fifty_times_opened_and_closed(sample: MainWindow, files: tuple[Path, Pa
             view = opened(sample, qtbot)
     sample.superimposing.close()
     assert not views()
+
+
+def test_a_picture_is_saved_whole_or_not_at_all(
+    sample: MainWindow, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    opened(sample, qtbot)
+    for place, there in ((tmp_path / "both.png", True), (tmp_path / "no" / "both.png", False)):
+        monkeypatch.setattr(sample.dialogs, "place", lambda *_a, p=place: (p, ""))
+        sample.superimposing.save_picture()
+        assert place.is_file() == there
+        assert sample.banner.isVisible() != there
+    assert not QImage(str(tmp_path / "both.png")).isNull()
+
+
+def test_nothing_is_drawn_in_a_window_that_was_closed(sample: MainWindow, qtbot: QtBot):
+    view, both = opened(sample, qtbot), sample.superimposing
+    view.close()
+    drawn: list[object] = []
+    view.show_scene = drawn.append  # type: ignore[method-assign]
+    sample.display.change(dark=not sample.display.state.dark)
+    assert not drawn
+    both.open()
+    assert len(drawn) == 1
